@@ -1,0 +1,107 @@
+// App: decides between window and frame, and turns every failure into a message and a status.
+// SPDX-License-Identifier: MIT
+#include "lab/app.hpp"
+
+#include "image/frame.hpp"
+#include "lab/live.hpp"
+#include "lab/stills.hpp"
+#include "lab/view.hpp"
+#include "lab/window.hpp"
+#include "render/error.hpp"
+#include "three/object_loader.hpp"
+#include "three/validate.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+
+namespace lab {
+
+namespace {
+
+enum Status { done = 0, noRenderer = 3, unusableScene = 4, cannotWrite = 5 };
+
+// Runs `work`; whatever goes wrong becomes one message and the status that the command line promises.
+template <class Work>
+int guarded(const std::string& lesson, const Work& work) {
+    const auto failed = [&lesson](const std::string& message, Status status) {
+        std::cout.flush();
+        std::cerr << lesson << ": " << message << std::endl;
+        return status;
+    };
+    try {
+        work();
+        return done;
+    } catch (const render::NoRenderer& error) {
+        return failed(error.what(), noRenderer);
+    } catch (const render::ShaderError& error) {
+        return failed(error.what(), noRenderer);
+    } catch (const THREE::SceneError& error) {
+        return failed(error.what(), unusableScene);
+    } catch (const image::Error& error) {
+        return failed(error.what(), cannotWrite);
+    } catch (const std::bad_alloc&) {
+        return failed("not enough memory for this scene at this size; choose a smaller --size", noRenderer);
+    } catch (const std::exception& error) {
+        return failed(error.what(), unusableScene);
+    }
+}
+
+void show(View& view, Options& options) {
+    if (options.wantsWindow()) {
+        std::string reason;
+        const std::unique_ptr<Window> window =
+            openWindow(options.width.value_or(960), options.height.value_or(600), options.lesson, reason);
+        if (window != nullptr)
+            return runLive(view, *window, options);
+        options.frame = options.lesson + ".png";
+        std::cout << options.lesson << say({": nessuno schermo (", ": no display ("}, options.language)
+                  << reason << say({"), scrivo l'immagine ", "), writing the frame "}, options.language)
+                  << options.frame << std::endl;
+    }
+    runStills(view, options);
+}
+
+}  // namespace
+
+App::App(int argc, char** argv, const std::string& lesson)
+    : options_(readOptions(argc, argv, lesson, lesson == "scene_viewer")) {}
+
+int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {
+    const int status = guarded(options_.lesson, [&] {
+        View view(scene, camera, animation, options_);
+        show(view, options_);
+    });
+    // All is written; the driver's own clean-up would only cost time, a tenth of a whole frame.
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::_Exit(status);
+}
+
+int App::runFile() {
+    THREE::LoadedScene loaded;
+    const int status = guarded(options_.lesson, [&] {
+        loaded = THREE::ObjectLoader().load(options_.sceneFile);
+        for (const std::string& note : loaded.notes)
+            std::cerr << options_.lesson << ": " << note << '\n';
+        loaded.scene->updateMatrixWorld();
+    });
+    if (status != done)
+        return status;
+    // A camera of its own, in world space, so that it can be turned whatever it hangs on in the file.
+    THREE::PerspectiveCamera camera(40);
+    if (loaded.camera != nullptr) {
+        camera.fov = loaded.camera->fov;
+        camera.near = loaded.camera->near;
+        camera.far = loaded.camera->far;
+        camera.zoom = loaded.camera->zoom;
+        camera.up = loaded.camera->up;
+        camera.applyMatrix4(loaded.camera->matrixWorld);
+    } else {
+        bringIntoView(camera, *loaded.scene);
+    }
+    return run(*loaded.scene, camera);
+}
+
+}  // namespace lab

@@ -1,0 +1,84 @@
+// The pieces of slide 42's equation, each with its term.
+// SPDX-License-Identifier: MIT
+#include "lab/equation.hpp"
+
+namespace lab {
+
+namespace {
+
+using lighting::Term;
+using lighting::TermSet;
+
+struct Piece {
+    const char* text;
+    std::optional<Term> term;  // none: punctuation
+    std::optional<Term> with;  // punctuation that goes when this term is off
+};
+
+// In the order in which the lecture writes it; sums first, as in slide 42.
+const Piece pieces[] = {
+    {"P", {}, {}},
+    {" = (", {}, {}},
+    {" Σdir", Term::directional, {}},
+    {" Σpos", Term::point, {}},
+    {" ", {}, {}},
+    {"max(0, ", Term::clamp, {}},
+    {"n·ω", Term::cosine, {}},
+    {")", Term::clamp, {}},
+    {" ", {}, {}},
+    {"f(d)", Term::attenuation, {}},
+    {" ", {}, {}},
+    {"D", Term::albedo, {}},
+    {" ⊗ ", {}, {}},
+    {"L", Term::lightColor, {}},
+    {" )", {}, {}},
+    {" + ", {}, Term::ambient},
+    {"D", Term::albedo, Term::ambient},
+    {" ⊗ ", {}, Term::ambient},
+    {"L_A", Term::ambient, {}},
+};
+
+}  // namespace
+
+std::vector<Symbol> equation(TermSet on, const lighting::FramePlan& full) {
+    std::vector<Symbol> symbols;
+    for (const Piece& piece : pieces) {
+        Symbol symbol{piece.text, SymbolState::plain, piece.term};
+        if (piece.term) {
+            const bool idle = lighting::idleReason(*piece.term, full).en != nullptr;
+            symbol.state = !on.has(*piece.term) ? SymbolState::off
+                           : idle               ? SymbolState::idle
+                                                : SymbolState::active;
+        }
+        if (piece.with && !on.has(*piece.with))
+            symbol.state = SymbolState::off;
+        symbols.push_back(std::move(symbol));
+    }
+    return symbols;
+}
+
+std::string equationText(TermSet on) {
+    const bool sum = on.has(Term::directional) || on.has(Term::point);
+    const auto has = [on](Term term) { return on.has(term); };
+    std::string addend;
+    if (has(Term::clamp))
+        addend += std::string("max(0, ") + (has(Term::cosine) ? "n·ω" : "1") + ") ";
+    else if (has(Term::cosine))
+        addend += "(n·ω) ";
+    if (has(Term::attenuation))
+        addend += "f(d) ";
+    const char* const albedo = has(Term::albedo) ? "D" : "1";
+    addend += std::string(albedo) + " ⊗ " + (has(Term::lightColor) ? "L" : "I");
+    std::string text = "P = ";
+    if (has(Term::directional) && has(Term::point))
+        text += "Σ " + addend;
+    else if (sum)
+        text += (has(Term::directional) ? "Σdir " : "Σpos ") + addend;
+    if (has(Term::ambient))
+        text += std::string(sum ? " + " : "") + albedo + " ⊗ L_A";
+    if (!sum && !has(Term::ambient))
+        text += "0";
+    return text;
+}
+
+}  // namespace lab

@@ -1,0 +1,197 @@
+// Reads the command line with CLI11; every mistake is named with what was expected.
+// SPDX-License-Identifier: MIT
+#include "lab/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+namespace lab {
+
+namespace {
+
+constexpr int largestSize = 8192;
+
+// All of `text` as a number, or nothing.
+template <class T>
+std::optional<T> number(std::string_view text) {
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+double finite(const std::string& option, const std::string& text) {
+    const std::optional<double> value = number<double>(text);
+    if (!value || !(std::abs(*value) <= 1e36))
+        throw CLI::ValidationError(option, "expected a finite number, found '" + text + "'");
+    return *value;
+}
+
+void readSize(const std::string& text, Options& options) {
+    const std::size_t x = text.find('x');
+    const std::optional<int> width = number<int>(std::string_view(text).substr(0, x));
+    const std::optional<int> height =
+        x == std::string::npos ? std::nullopt : number<int>(std::string_view(text).substr(x + 1));
+    if (!width || !height || *width < 1 || *height < 1 || *width > largestSize || *height > largestSize)
+        throw CLI::ValidationError("--size",
+                                   "expected WIDTHxHEIGHT, each from 1 to 8192 pixels, found '" + text + "'");
+    options.width = width;
+    options.height = height;
+}
+
+void readCamera(const std::string& text, Options& options) {
+    std::vector<double> values;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        values.push_back(finite("--camera", text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    if (values.size() != 6 && values.size() != 7)
+        throw CLI::ValidationError(
+            "--camera", "expected px,py,pz,tx,ty,tz or, with the angle of view, one number more; found " +
+                            std::to_string(values.size()) + " in '" + text + "'");
+    CameraOption camera{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, {}};
+    if (values.size() == 7) {
+        if (!(values[6] > 0 && values[6] < 180))
+            throw CLI::ValidationError(
+                "--camera", "expected an angle of view between 0 and 180 degrees, found '" + text + "'");
+        camera.fov = values[6];
+    }
+    options.camera = camera;
+}
+
+void listTerms(Language language) {
+    for (const lighting::TermInfo& row : lighting::terms())
+        std::cout << static_cast<int>(row.term) + 1 << "  " << row.name << "  " << row.symbol << "  slide "
+                  << row.slides << "  " << say(row.meaning, language)
+                  << (language == Language::it ? "; spento: " : "; off: ") << say(row.off, language) << '\n';
+}
+
+// A description in the language of the locale: --help is written before --lang could be read.
+std::string text(const char* it, const char* en) { return say({it, en}, languageOfLocale()); }
+
+void addNumbers(CLI::App& app, Options& options) {
+    const auto add = [&app](const std::string& name, const char* it, const char* en, auto read) {
+        app.add_option_function<std::string>(name, read, text(it, en));
+    };
+    add("--size", "LxA: 512x512 per un'immagine, 960x600 per una finestra",
+        "WxH: 512x512 for a frame, 960x600 for a window",
+        [&options](const std::string& value) { readSize(value, options); });
+    add("--time", "il tempo dell'animazione, in secondi (0)", "the animation's time in seconds (0)",
+        [&options](const std::string& value) { options.time = finite("--time", value); });
+    add("--decay", "l'esponente k di ogni luce posizionale", "the exponent k of every point light",
+        [&options](const std::string& value) {
+            options.decay = finite("--decay", value);
+            if (*options.decay < 0)
+                throw CLI::ValidationError("--decay", "expected 0 or more, found '" + value + "'");
+        });
+    add("--camera", "px,py,pz,tx,ty,tz[,fov]: dove sta, cosa guarda, apertura in gradi",
+        "px,py,pz,tx,ty,tz[,fov]: where it stands, what it looks at, angle of view",
+        [&options](const std::string& value) { readCamera(value, options); });
+    add("--jitter", "SEME: piccole variazioni di camera, luci e oggetti",
+        "SEED: small changes of camera, lights and meshes", [&options](const std::string& value) {
+            options.jitter = number<std::uint64_t>(value);
+            if (!options.jitter)
+                throw CLI::ValidationError("--jitter",
+                                           "expected a whole number from 0 on, found '" + value + "'");
+        });
+    add("--frames", "N: disegna N immagini e ne misura il tempo", "N: draws N frames and times them",
+        [&options](const std::string& value) {
+            options.frames = number<int>(value).value_or(0);
+            if (options.frames < 1 || options.frames > 1'000'000)
+                throw CLI::ValidationError("--frames", "expected a whole number from 1 to 1000000, found '" +
+                                                           value + "'");
+        });
+}
+
+void addFiles(CLI::App& app, Options& options) {
+    const auto notEmpty = [](const std::string& option) {
+        return CLI::Validator(
+            [option](const std::string& value) {
+                return value.empty() ? "expected a file name after " + option + ", found an empty one"
+                                     : std::string();
+            },
+            "");
+    };
+    const auto add = [&](const std::string& name, std::string& into, const char* it, const char* en) {
+        app.add_option(name, into, text(it, en))->check(notEmpty(name));
+    };
+    add("--frame", options.frame,
+        "FILE: disegna un'immagine senza finestra (.png, o .exr in virgola mobile) ed esce",
+        "FILE: draws one frame without a window (.png, or .exr in floats) and leaves");
+    add("--dump-scene", options.dumpScene, "FILE: scrive la scena come JSON di three.js",
+        "FILE: writes the scene as three.js JSON");
+    add("--shaders", options.shaders, "DIR: usa gli shader di questa cartella",
+        "DIR: uses the shader files of this folder");
+}
+
+}  // namespace
+
+Language languageOfLocale() {
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
+        if (const char* value = std::getenv(name); value != nullptr && *value != '\0')
+            return std::string_view(value).substr(0, 2) == "it" ? Language::it : Language::en;
+    return Language::en;
+}
+
+Options readOptions(int argc, char** argv, const std::string& lesson, bool file) {
+    Options options;
+    options.lesson = lesson;
+    options.language = languageOfLocale();
+    CLI::App app(lesson + ", Lambert Lab " LAMBERT_VERSION, lesson);
+    app.set_version_flag("--version", lesson + " " LAMBERT_VERSION,
+                         text("dice la versione", "tells the version"));
+    app.set_help_flag("--help,-h", text("questo aiuto", "this help"));
+    addFiles(app, options);
+    addNumbers(app, options);
+    std::string terms;
+    std::string language;
+    bool list = false;
+    bool noSkip = false;
+    app.add_option("--terms", terms,
+                   text("all, none, nomi da tenere, o +nome,-nome per cambiare",
+                        "all, none, names to keep, or +name,-name to change"))
+        ->check([&options](const std::string& value) {
+            try {
+                options.terms = lighting::parseTerms(value, lighting::TermSet::all());
+                return std::string();
+            } catch (const std::invalid_argument& error) {
+                return std::string(error.what());
+            }
+        });
+    app.add_option("--lang", language, text("it o en", "it or en"))->check(CLI::IsMember({"it", "en"}));
+    app.add_flag("--no-skip", noSkip, text("non tralascia nulla", "leaves nothing out"));
+    app.add_flag("--stats", options.stats,
+                 text("scrive una riga JSON con tempi e conteggi", "writes a JSON line of times and counts"));
+    app.add_flag("--dump-shader", options.dumpShader,
+                 text("scrive gli shader come vengono compilati", "writes the shaders as compiled"));
+    app.add_flag("--list-terms", list, text("elenca i termini dell'equazione", "lists the equation's terms"));
+    if (file)
+        app.add_option("file", options.sceneFile,
+                       text("scena three.js (JSON) o .obj", "three.js scene (JSON) or .obj"))
+            ->required();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        std::exit(app.exit(asked));
+    } catch (const CLI::ParseError& wrong) {
+        std::cerr << lesson << ": " << wrong.what() << "\nSee " << lesson
+                  << " --help for what is understood.\n";
+        std::exit(2);
+    }
+    options.skip = !noSkip;
+    if (!language.empty())
+        options.language = language == "it" ? Language::it : Language::en;
+    if (list) {
+        listTerms(options.language);
+        std::exit(0);
+    }
+    return options;
+}
+
+}  // namespace lab

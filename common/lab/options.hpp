@@ -1,0 +1,59 @@
+// The command line that every lesson and scene_viewer understand.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lighting/terms.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace lab {
+
+enum class Language { it, en };
+
+/// The text in one of the lab's two languages.
+inline const char* say(const lighting::Text& text, Language language) {
+    return language == Language::it ? text.it : text.en;
+}
+
+/// A camera given by hand: where it stands, what it looks at (world space), and perhaps its angle of view in degrees.
+struct CameraOption {
+    double position[3];
+    double target[3];
+    std::optional<double> fov;
+};
+
+/// What the command line says.
+struct Options {
+    std::string lesson;  ///< the program's name
+    std::string sceneFile;  ///< scene_viewer's argument, else empty
+    std::string frame;  ///< --frame: where to write, or empty
+    std::optional<int> width, height;  ///< --size, pixels, 1 to 8192
+    double time = 0;  ///< --time, seconds
+    lighting::TermSet terms = lighting::TermSet::all();
+    std::optional<double> decay;
+    std::optional<CameraOption> camera;
+    std::optional<std::uint64_t> jitter;
+    bool skip = true;  ///< --no-skip turns it off
+    std::string shaders;  ///< --shaders, or empty
+    int frames = 0;  ///< --frames: how many to time; 0: none
+    bool stats = false;
+    std::string dumpScene;  ///< where to write the scene's JSON, or empty
+    bool dumpShader = false;
+    Language language = Language::en;
+
+    /// Whether a window may open: nothing was asked that a window does not give.
+    bool wantsWindow() const {
+        return frame.empty() && frames == 0 && !stats && dumpScene.empty() && !dumpShader;
+    }
+};
+
+/// Reads the command line; `file` says whether the program takes a scene file. Ends the program with status 2 and a
+/// message on wrong usage, with 0 after --help, --version and --list-terms.
+Options readOptions(int argc, char** argv, const std::string& lesson, bool file);
+
+/// Italian where LC_ALL, LC_MESSAGES or LANG (the first that is set) say so, else English.
+Language languageOfLocale();
+
+}  // namespace lab

@@ -1,0 +1,57 @@
+// The camera on a sphere about a point, never over the poles.
+// SPDX-License-Identifier: MIT
+#include "lab/orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lab {
+
+using THREE::Vector3;
+
+Orbit::Orbit(THREE::PerspectiveCamera& camera, const Vector3& target)
+    : camera_(camera), target_(target), startPosition_(camera.position), startQuaternion_(camera.quaternion),
+      startTarget_(target) {}
+
+double Orbit::distance() const { return std::max(Vector3(camera_.position).sub(target_).length(), 1e-30); }
+
+void Orbit::place(const Vector3& offset) {
+    camera_.position = Vector3(target_).add(offset);
+    camera_.lookAt(target_);
+}
+
+void Orbit::rotate(double dx, double dy) {
+    const Vector3 offset = Vector3(camera_.position).sub(target_);
+    const double radius = distance();
+    const double azimuth = std::atan2(offset.x, offset.z) - dx * 2 * std::numbers::pi;
+    const double polar = std::acos(std::clamp(offset.y / radius, -1.0, 1.0)) - dy * std::numbers::pi;
+    const double kept = std::clamp(polar, 1e-4, std::numbers::pi - 1e-4);
+    place({radius * std::sin(kept) * std::sin(azimuth), radius * std::cos(kept),
+           radius * std::sin(kept) * std::cos(azimuth)});
+}
+
+void Orbit::zoom(double steps) {
+    const double factor = std::pow(0.95, std::clamp(steps, -100.0, 100.0));
+    // Neither into the target nor beyond what is drawn.
+    const double wanted = std::clamp(distance() * factor, camera_.near * 1.01, camera_.far * 0.5);
+    place(Vector3(camera_.position).sub(target_).multiplyScalar(wanted / distance()));
+}
+
+void Orbit::pan(double dx, double dy) {
+    camera_.updateWorldMatrix();
+    const glm::dvec3 right(camera_.matrixWorld.elements[0]);
+    const glm::dvec3 above(camera_.matrixWorld.elements[1]);
+    const double height = 2 * distance() * std::tan(camera_.fov * std::numbers::pi / 360) / camera_.zoom;
+    const Vector3 shift = right * (-dx * height) + above * (dy * height);
+    camera_.position.add(shift);
+    target_.add(shift);
+}
+
+void Orbit::reset() {
+    target_ = startTarget_;
+    camera_.position = startPosition_;
+    camera_.quaternion = startQuaternion_;
+}
+
+}  // namespace lab

@@ -1,0 +1,95 @@
+// Puts the numbers of a frame into JSON.
+// SPDX-License-Identifier: MIT
+#include "lab/stats.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <unistd.h>
+
+namespace lab {
+
+using Json = nlohmann::ordered_json;
+
+std::string variantText(const lighting::Variant& v) {
+    std::ostringstream out;
+    out << (v.lit ? "lit" : "unlit");
+    if (v.doubleSided)
+        out << " double-sided";
+    if (v.directional > 0)
+        out << " directional=" << v.directional;
+    const std::pair<const char*, int> groups[] = {
+        {"k0", v.decay0}, {"k1", v.decay1}, {"k2", v.decay2}, {"k*", v.decayOther}};
+    for (const auto& [name, count] : groups)
+        if (count > 0)
+            out << " point:" << name << '=' << count;
+    if (v.window)
+        out << " window";
+    if (v.ambient)
+        out << " ambient";
+    if (v.lit) {
+        std::string names;
+        for (const lighting::TermInfo& row : lighting::terms())
+            if ((v.terms >> static_cast<unsigned>(row.term) & 1U) != 0)
+                names += (names.empty() ? "" : ",") + std::string(row.name);
+        out << " terms=" << (names.empty() ? "none" : names);
+    }
+    return out.str();
+}
+
+double millisecondsSinceProcessStart() {
+    std::ifstream in("/proc/self/stat");
+    std::string text;
+    std::getline(in, text);
+    std::istringstream fields(
+        text.substr(std::min(text.rfind(')'), text.size() - 1) + 1));  // the name may hold spaces
+    std::string field;
+    for (int number = 3; number <= 22; ++number)  // field 22 is the start, in ticks since the machine's
+        fields >> field;
+    timespec now{};
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    const double ticks = std::strtod(field.c_str(), nullptr);
+    const double started = ticks / static_cast<double>(sysconf(_SC_CLK_TCK)) * 1000;
+    return static_cast<double>(now.tv_sec) * 1000 + static_cast<double>(now.tv_nsec) / 1e6 - started;
+}
+
+std::string statsJson(const StatsReport& report, const lighting::FramePlan& plan,
+                      const render::FrameStats& frame) {
+    std::set<std::string> variants;
+    for (const lighting::Draw& draw : plan.draws)
+        variants.insert(variantText(draw.variant));
+    std::string variantList;
+    for (const std::string& variant : variants)
+        variantList += (variantList.empty() ? "" : "; ") + variant;
+    Json skipped = Json::array();
+    for (const lighting::Skipped& s : plan.skipped)
+        skipped.push_back({{"what", s.what}, {"why", s.why}});
+    std::vector<double> times = report.frameMilliseconds;
+    std::sort(times.begin(), times.end());
+    const std::size_t n = times.size();
+    const double median = n == 0 ? 0 : (times[(n - 1) / 2] + times[n / 2]) / 2;
+    Json json;
+    json["renderer"] = report.renderer;
+    json["width"] = report.width;
+    json["height"] = report.height;
+    json["shader_variant"] = variantList;
+    json["meshes"] = {{"drawn", frame.meshesDrawn}, {"skipped", plan.meshesSkipped}};
+    json["lights"] = {{"used", plan.lightsUsed}, {"skipped", plan.lightsSkipped}};
+    json["skipped"] = skipped;
+    json["draw_calls"] = frame.drawCalls;
+    json["triangles"] = frame.triangles;
+    json["uploads_bytes"] = frame.uploadedBytes;
+    json["compile_ms"] = frame.compileMilliseconds;
+    json["first_frame_ms"] = report.firstFrameMilliseconds;
+    json["frame_ms"] = {{"median", median},
+                        {"min", n == 0 ? 0 : times.front()},
+                        {"max", n == 0 ? 0 : times.back()},
+                        {"n", n}};
+    json["nonfinite"] = frame.nonfinite ? Json(*frame.nonfinite) : Json(nullptr);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace lab

@@ -1,0 +1,32 @@
+// --stats: what a frame was, cost and did without, as one line of JSON.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lighting/frame_plan.hpp"
+#include "render/renderer.hpp"
+
+#include <string>
+#include <vector>
+
+namespace lab {
+
+/// Everything that the line says.
+struct StatsReport {
+    std::string renderer;  ///< the driver's own name
+    int width = 0;
+    int height = 0;
+    double firstFrameMilliseconds = 0;  ///< from the process's start to the first picture
+    std::vector<double> frameMilliseconds;  ///< of each timed frame
+};
+
+/// One line without the line's end. `plan` and `frame` are those of the frame that was drawn.
+std::string statsJson(const StatsReport& report, const lighting::FramePlan& plan,
+                      const render::FrameStats& frame);
+
+/// A variant in words: "lit directional=1 point=k0:1 ambient terms=albedo,cosine".
+std::string variantText(const lighting::Variant& variant);
+
+/// Milliseconds since the kernel started this process, to a tick of its clock (10 ms on most machines).
+double millisecondsSinceProcessStart();
+
+}  // namespace lab

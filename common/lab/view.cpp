@@ -1,0 +1,108 @@
+// From a scene and a command line to a plan.
+// SPDX-License-Identifier: MIT
+#include "lab/view.hpp"
+
+#include "three/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lab {
+
+using THREE::Vector3;
+
+THREE::Sphere worldBounds(const THREE::Scene& scene) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Vector3 low(infinity, infinity, infinity), high(-infinity, -infinity, -infinity);
+    scene.traverseVisible([&](const THREE::Object3D& object) {
+        const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object);
+        if (mesh == nullptr || !mesh->geometry || mesh->geometry->vertexCount() == 0)
+            return;
+        const THREE::Box3 box = mesh->geometry->computeBoundingBox();
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vector3 p = mesh->matrixWorld.applyTo({(corner & 1) != 0 ? box.max.x : box.min.x,
+                                                         (corner & 2) != 0 ? box.max.y : box.min.y,
+                                                         (corner & 4) != 0 ? box.max.z : box.min.z});
+            low.set(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
+            high.set(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
+        }
+    });
+    if (!(low.x <= high.x))
+        return {Vector3(), 0};
+    const Vector3 center = Vector3(low).multiplyScalar(0.5).add(Vector3(high).multiplyScalar(0.5));
+    return {center, Vector3(high).sub(center).length()};
+}
+
+void bringIntoView(THREE::PerspectiveCamera& camera, const THREE::Scene& scene) {
+    const THREE::Sphere bounds = worldBounds(scene);
+    const double radius = bounds.radius > 0 ? bounds.radius : 1;
+    const double distance = 1.05 * radius / std::sin(camera.fov * std::numbers::pi / 360);
+    camera.position = Vector3(0.45, 0.35, 1).normalize().multiplyScalar(distance).add(bounds.center);
+    camera.near = radius / 100;
+    camera.far = radius * 100;
+    camera.lookAt(bounds.center);
+}
+
+namespace {
+
+// What the camera orbits: what it was told to look at, else the point on its axis that is nearest the scene's middle.
+Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Options& options) {
+    if (options.camera) {
+        const CameraOption& wanted = *options.camera;
+        camera.position.set(wanted.position[0], wanted.position[1], wanted.position[2]);
+        camera.fov = wanted.fov.value_or(camera.fov);
+        const Vector3 target(wanted.target[0], wanted.target[1], wanted.target[2]);
+        camera.lookAt(target);
+        return target;
+    }
+    scene.updateMatrixWorld();
+    camera.updateWorldMatrix();
+    const Vector3 eye = camera.matrixWorld.position();
+    const Vector3 forward =
+        Vector3(glm::dvec3(camera.matrixWorld.elements[2])).normalize().multiplyScalar(-1);
+    const Vector3 middle = worldBounds(scene).center;
+    const double along = Vector3(middle).sub(eye).dot(forward);
+    return Vector3(forward).multiplyScalar(std::max(along, 2 * camera.near)).add(eye);
+}
+
+}  // namespace
+
+View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
+           const Options& options)
+    : scene_(scene), camera_(camera), animation_(animation), options_(options),
+      orbit_(camera, orbitTarget(scene, camera, options)), jitter_(options.jitter.value_or(0)) {}
+
+void View::update(double time, int width, int height) {
+    jitter_.undo();
+    if (animation_)
+        animation_(time);
+    camera_.aspect = static_cast<double>(width) / height;
+    const auto check = [this] {
+        scene_.updateMatrixWorld();
+        camera_.updateWorldMatrix();
+        THREE::validate(scene_, camera_);
+    };
+    check();
+    if (options_.jitter) {
+        jitter_.apply(scene_, camera_, orbit_.target());
+        check();
+    }
+}
+
+lighting::Settings View::settings(lighting::TermSet terms) const {
+    lighting::Settings settings;
+    settings.terms = terms;
+    settings.decay = options_.decay;
+    settings.skip = options_.skip;
+    settings.focus = orbit_.target();
+    settings.focusDistance = orbit_.distance();
+    return settings;
+}
+
+lighting::FramePlan View::plan(lighting::TermSet terms) const {
+    return lighting::planFrame(scene_, camera_, settings(terms));
+}
+
+}  // namespace lab

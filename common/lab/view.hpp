@@ -1,0 +1,47 @@
+// View: a lesson's scene as the command line wants it seen, ready to be planned for any time.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lab/app.hpp"
+#include "lab/jitter.hpp"
+#include "lab/options.hpp"
+#include "lab/orbit.hpp"
+#include "lighting/frame_plan.hpp"
+
+namespace lab {
+
+/// Scene, camera and animation of one program, with --camera, --jitter, --decay and --no-skip applied.
+class View {
+  public:
+    View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
+         const Options& options);
+
+    /// Moves everything to `time` (seconds), fits the camera to the picture's size and checks the scene.
+    /// Throws THREE::SceneError.
+    void update(double time, int width, int height);
+    /// The plan of what update() made, with these terms.
+    lighting::FramePlan plan(lighting::TermSet terms) const;
+    /// What plan() plans with.
+    lighting::Settings settings(lighting::TermSet terms) const;
+
+    const THREE::Scene& scene() const { return scene_; }
+    const THREE::PerspectiveCamera& camera() const { return camera_; }
+    bool animated() const { return animation_ != nullptr; }
+    Orbit& orbit() { return orbit_; }
+
+  private:
+    THREE::Scene& scene_;
+    THREE::PerspectiveCamera& camera_;
+    const Animation& animation_;
+    const Options& options_;
+    Orbit orbit_;
+    Jitter jitter_;
+};
+
+/// A sphere around everything that is drawn, in world space; radius 0 if there is nothing. Matrices must be up to date.
+THREE::Sphere worldBounds(const THREE::Scene& scene);
+
+/// Puts the camera where the whole scene is in view, from above its right front, and sets near and far to it.
+void bringIntoView(THREE::PerspectiveCamera& camera, const THREE::Scene& scene);
+
+}  // namespace lab

@@ -1,0 +1,265 @@
+// Decides what a frame draws, with which lights, and what it can do without.
+// SPDX-License-Identifier: MIT
+#include "lighting/frame_plan.hpp"
+
+#include "three/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+namespace lighting {
+
+namespace {
+
+// The point nearest to `p` on a grid of spacing 2^n, the smallest that is not finer than `scale`. A grid this coarse
+// puts the anchor of a scene near the origin at the origin itself, so that nothing changes there.
+glm::dvec3 snapToGrid(const glm::dvec3& p, double scale) {
+    const double spacing = std::exp2(std::ceil(std::log2(scale)) + 1);
+    glm::dvec3 snapped;
+    for (int i = 0; i < 3; ++i) {
+        const double steps = p[i] / spacing;
+        snapped[i] = std::abs(steps) < 0x1p52 ? std::nearbyint(steps) * spacing : p[i];
+    }
+    return snapped;
+}
+
+glm::dvec3 toVec(const THREE::Color& c) { return {c.r, c.g, c.b}; }
+
+bool isZero(const glm::dvec3& v) { return v == glm::dvec3(0); }
+
+glm::dmat4 relativeTo(const glm::dvec3& anchor, const THREE::Matrix4& world) {
+    glm::dmat4 m = world.elements;
+    m[3] -= glm::dvec4(anchor, 0) * m[3].w;
+    return m;
+}
+
+int decayGroup(const PointAddend& light) {
+    return light.decay == 0 ? 0 : light.decay == 1 ? 1 : light.decay == 2 ? 2 : 3;
+}
+
+class Planner {
+  public:
+    Planner(const THREE::PerspectiveCamera& camera, const Settings& settings) : settings_(settings) {
+        plan_.anchor = snapToGrid(settings.focus, settings.focusDistance);
+        view_ = glm::inverse(relativeTo(plan_.anchor, camera.matrixWorld));
+        projection_ = camera.projectionMatrix();
+    }
+
+    FramePlan run(const THREE::Scene& scene) {
+        if (scene.background)
+            plan_.background = toVec(*scene.background);
+        scene.traverseVisible([this](const THREE::Object3D& object) {
+            if (const auto* light = dynamic_cast<const THREE::Light*>(&object))
+                addLight(*light);
+        });
+        std::stable_sort(plan_.point.begin(), plan_.point.end(),
+                         [](const auto& a, const auto& b) { return decayGroup(a) < decayGroup(b); });
+        const Variant lights = lightVariant();
+        scene.traverseVisible([this, &lights](const THREE::Object3D& object) {
+            if (const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object))
+                addMesh(*mesh, lights);
+        });
+        if (settings_.skip)
+            std::stable_sort(plan_.draws.begin(), plan_.draws.end(),
+                             [](const Draw& a, const Draw& b) { return a.nearestDepth < b.nearestDepth; });
+        return std::move(plan_);
+    }
+
+  private:
+    void skipLight(const THREE::Light& light, const char* why) {
+        plan_.skipped.push_back({THREE::describe(light), why});
+        ++plan_.lightsSkipped;
+    }
+
+    void skipMesh(const THREE::Mesh& mesh, const char* why) {
+        plan_.skipped.push_back({THREE::describe(mesh), why});
+        ++plan_.meshesSkipped;
+    }
+
+    void addLight(const THREE::Light& light) {
+        const glm::dvec3 color = toVec(light.radiance());
+        if (settings_.skip && light.intensity == 0)
+            return skipLight(light, "its intensity is 0");
+        const bool ambient = dynamic_cast<const THREE::AmbientLight*>(&light) != nullptr;
+        // A black light still shines when light_color is off: white of the same intensity.
+        if (settings_.skip && isZero(color) && (ambient || settings_.terms.has(Term::lightColor)))
+            return skipLight(light, "its colour is black");
+        const Term term = ambient                                                     ? Term::ambient
+                          : dynamic_cast<const THREE::PointLight*>(&light) != nullptr ? Term::point
+                                                                                      : Term::directional;
+        if (settings_.skip && !settings_.terms.has(term))
+            return skipLight(light, "its term is off");
+        ++plan_.lightsUsed;
+        if (ambient) {
+            plan_.ambient += color;
+            hasAmbient_ = true;
+        } else {
+            plan_.colored |= color.r != color.g || color.g != color.b;
+            addAddend(light, color);
+        }
+    }
+
+    void addAddend(const THREE::Light& light, const glm::dvec3& color) {
+        if (const auto* point = dynamic_cast<const THREE::PointLight*>(&light)) {
+            const glm::dvec3 position = glm::dvec3(point->matrixWorld.position()) - plan_.anchor;
+            plan_.point.push_back(
+                {position, color, light.intensity, settings_.decay.value_or(point->decay), point->distance});
+        } else if (const auto* directional = dynamic_cast<const THREE::DirectionalLight*>(&light)) {
+            plan_.directional.push_back({directional->directionTowardsLight(), color, light.intensity});
+        }
+    }
+
+    // What all lit draws of this frame share: counts, and the terms without those that nothing here uses.
+    Variant lightVariant() {
+        Variant v;
+        v.lit = true;
+        v.directional = static_cast<int>(plan_.directional.size());
+        int* const groups[] = {&v.decay0, &v.decay1, &v.decay2, &v.decayOther};
+        for (const PointAddend& light : plan_.point) {
+            ++*groups[decayGroup(light)];
+            v.window |= light.distance > 0;
+        }
+        v.ambient = hasAmbient_;
+        v.countNonfinite = settings_.countNonfinite;
+        TermSet used = settings_.terms;
+        if (settings_.skip) {
+            const auto drop = [&used](bool unused, std::initializer_list<Term> list) {
+                for (const Term term : list)
+                    used = unused ? used.without(term) : used;
+            };
+            drop(true, {Term::specular});
+            drop(v.directional == 0, {Term::directional});
+            drop(v.point() == 0, {Term::point, Term::attenuation});
+            drop(v.point() == v.decay0 && !v.window, {Term::attenuation});
+            drop(v.directional + v.point() == 0, {Term::cosine, Term::clamp, Term::lightColor});
+            drop(!v.ambient, {Term::ambient});
+        }
+        v.terms = used.bits();
+        return v;
+    }
+
+    void addMesh(const THREE::Mesh& mesh, const Variant& lights) {
+        const THREE::BufferGeometry& geometry = *mesh.geometry;
+        const THREE::Material& material = *mesh.material;
+        if (!material.visible)
+            return skipMesh(mesh, "its material is not visible");
+        if (geometry.triangleCount() == 0)
+            return skipMesh(mesh, "it has no triangles");
+        Draw draw;
+        draw.mesh = &mesh;
+        const THREE::Sphere& sphere = geometry.boundingSphere();
+        // Vertices far from their own origin (a map's coordinates) keep their digits: the near origin is zero.
+        draw.origin = snapToGrid(sphere.center, std::max(sphere.radius, 1e-30) * 16);
+        draw.model =
+            relativeTo(plan_.anchor, mesh.matrixWorld) * glm::translate(glm::dmat4(1.0), draw.origin);
+        draw.normalMatrix = THREE::normalMatrix(mesh.matrixWorld.elements);
+        draw.clip = projection_ * view_ * draw.model;
+        draw.mirrored = glm::determinant(glm::dmat3(mesh.matrixWorld.elements)) < 0;
+        if (isZero(glm::dvec3(draw.model[0])) && isZero(glm::dvec3(draw.model[1])) &&
+            isZero(glm::dvec3(draw.model[2])))
+            return skipMesh(mesh, "its scale is 0");
+        if (!place(draw, sphere) && settings_.skip)
+            return skipMesh(mesh, "it is outside the camera's view");
+        draw.albedo = toVec(material.color);
+        draw.emitted = toVec(material.emitted());
+        draw.variant.countNonfinite = settings_.countNonfinite;
+        if (material.isLit()) {
+            draw.variant = lights;
+            draw.variant.doubleSided = material.side != THREE::FrontSide;
+            plan_.litMeshes = true;
+            plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
+        }
+        plan_.draws.push_back(draw);
+    }
+
+    // Depth of the bounding sphere; false if it is wholly outside one of the planes of the view.
+    bool place(Draw& draw, const THREE::Sphere& sphere) const {
+        const glm::dvec3 center = sphere.center;
+        const glm::dmat4 toView = view_ * draw.model;
+        const glm::dvec3 inView = glm::dvec3(toView * glm::dvec4(center - draw.origin, 1));
+        double stretch = 0;  // no direction is stretched more than the Frobenius norm of the 3x3
+        for (int column = 0; column < 3; ++column)
+            stretch += glm::dot(glm::dvec3(toView[column]), glm::dvec3(toView[column]));
+        const double radius = sphere.radius * std::sqrt(stretch) * (1 + 1e-9);
+        draw.nearestDepth = -inView.z - radius;
+        const glm::dmat4 rows = glm::transpose(projection_);
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double sign : {-1.0, 1.0}) {
+                const glm::dvec4 plane = rows[3] + sign * rows[axis];
+                if (glm::dot(plane, glm::dvec4(inView, 1)) < -radius * glm::length(glm::dvec3(plane)))
+                    return false;
+            }
+        return true;
+    }
+
+    const Settings& settings_;
+    FramePlan plan_;
+    glm::dmat4 view_;
+    glm::dmat4 projection_;
+    bool hasAmbient_ = false;
+};
+
+}  // namespace
+
+FramePlan planFrame(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                    const Settings& settings) {
+    return Planner(camera, settings).run(scene);
+}
+
+Text idleReason(Term term, const FramePlan& plan) {
+    const std::size_t addends = plan.directional.size() + plan.point.size();
+    const bool dark = addends == 0 && plan.ambient == glm::dvec3(0);
+    if (!plan.litMeshes)
+        return {"nessun materiale illuminato", "no lit material"};
+    switch (term) {
+    case Term::albedo:
+        if (dark)
+            return {"nessuna luce: tutto nero", "no light: all black"};
+        if (!plan.albedoNotWhite)
+            return {"materiale bianco: D = 1", "white material: D = 1"};
+        break;
+    case Term::cosine:
+        if (addends == 0)
+            return {"nessuna luce con una direzione", "no light with a direction"};
+        break;
+    case Term::clamp:
+        if (addends == 0)
+            return {"nessuna luce con una direzione", "no light with a direction"};
+        if (addends == 1 && plan.ambient == glm::dvec3(0))
+            return {"una sola luce: il negativo è già nero", "one light: negative is black anyway"};
+        break;
+    case Term::lightColor:
+        if (addends == 0)
+            return {"nessuna luce con una direzione", "no light with a direction"};
+        if (!plan.colored)
+            return {"luce bianca: L è già grigia", "white light: L is grey already"};
+        break;
+    case Term::attenuation:
+        if (plan.point.empty())
+            return {"nessuna luce posizionale", "no point light"};
+        if (std::all_of(plan.point.begin(), plan.point.end(),
+                        [](const auto& l) { return l.decay == 0 && l.distance == 0; }))
+            return {"k = 0: f = 1", "k = 0: f = 1"};
+        break;
+    case Term::directional:
+        if (plan.directional.empty())
+            return {"nessuna luce direzionale", "no directional light"};
+        break;
+    case Term::point:
+        if (plan.point.empty())
+            return {"nessuna luce posizionale", "no point light"};
+        break;
+    case Term::ambient:
+        if (plan.ambient == glm::dvec3(0))
+            return {"nessuna luce ambiente", "no ambient light"};
+        break;
+    case Term::specular:
+        return {"nessun materiale lucido", "no shiny material"};
+    }
+    return {nullptr, nullptr};
+}
+
+}  // namespace lighting

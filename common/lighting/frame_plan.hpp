@@ -1,0 +1,108 @@
+// What one frame needs: the draws, the addends of the sum, and what is left out and why. Plain data, no GL.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lighting/terms.hpp"
+#include "three/lights.hpp"
+#include "three/scene.hpp"
+
+#include <compare>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lighting {
+
+/// What the user chose for the frame; scene and camera come beside it.
+struct Settings {
+    TermSet terms = TermSet::all();
+    std::optional<double> decay;  ///< overrides the exponent of every point light (--decay)
+    bool skip =
+        true;  ///< false: every draw, light, term, cull and upload that could be dropped is kept (--no-skip)
+    bool countNonfinite = false;  ///< count pixels where an operand was NaN or infinite
+    glm::dvec3 focus{0};  ///< the point that the camera orbits, world space: the anchor is near it
+    double focusDistance = 1;  ///< from the camera to the focus, world units, > 0
+};
+
+/// An addend of the sum whose direction is the same everywhere (slides 29-30).
+struct DirectionalAddend {
+    glm::dvec3 w;  ///< unit vector towards the light, world space
+    glm::dvec3 color;  ///< L = color x intensity
+    double intensity;  ///< what stays when light_color is off
+};
+
+/// An addend whose light comes from a point (slides 29-31).
+struct PointAddend {
+    glm::dvec3 position;  ///< world space, relative to the anchor
+    glm::dvec3 color;  ///< L = color x intensity
+    double intensity;  ///< what stays when light_color is off
+    double decay;  ///< k of f(d) = 1/d^k
+    double distance;  ///< where the window reaches 0, world units; 0: no window
+};
+
+/// What decides which shader is compiled: only what this scene has. The point lights stand sorted by exponent.
+struct Variant {
+    unsigned terms = 0;  ///< TermSet bits, without those that cannot matter here
+    bool lit = false;  ///< unlit materials have no equation at all
+    bool doubleSided = false;  ///< the normal is turned on back faces
+    bool ambient = false;  ///< there is an ambient light
+    bool window = false;  ///< some point light has a `distance`
+    bool countNonfinite = false;  ///< writes a second target, see Settings
+    int directional = 0;  ///< number of directional lights
+    int decay0 = 0;  ///< number of point lights with k = 0
+    int decay1 = 0;  ///< ... with k = 1
+    int decay2 = 0;  ///< ... with k = 2
+    int decayOther = 0;  ///< ... with any other exponent, which goes through pow
+
+    int point() const { return decay0 + decay1 + decay2 + decayOther; }
+    auto operator<=>(const Variant&) const = default;
+};
+
+/// One mesh to draw. Matrices are formed in double and rounded to float once, by the renderer.
+struct Draw {
+    const THREE::Mesh* mesh = nullptr;
+    glm::dvec3 origin{0};  ///< object space; vertices are uploaded relative to it, which the matrices undo
+    glm::dmat4 model;  ///< object space to world space relative to the anchor
+    glm::dmat3 normalMatrix;  ///< normals of object space to world space, see THREE::normalMatrix
+    glm::dmat4 clip;  ///< object space to clip space
+    glm::dvec3 albedo;  ///< D, or the pixel's colour for an unlit material
+    glm::dvec3 emitted;  ///< added after the sum
+    Variant variant;
+    bool mirrored = false;  ///< the model matrix turns triangles round: front faces are clockwise
+    double nearestDepth = 0;  ///< of its bounding sphere, view space; draws are sorted by it
+};
+
+/// Something that the frame does without, exactly.
+struct Skipped {
+    std::string what;  ///< the object, as THREE::describe calls it, or the term
+    std::string why;
+};
+
+/// Everything that a renderer needs to know of a frame.
+struct FramePlan {
+    glm::dvec3 background{0};
+    glm::dvec3 anchor{0};  ///< world space: the origin that positions are relative to, on a power-of-two grid
+    glm::dvec3 ambient{0};  ///< sum of the ambient lights: L_A
+    std::vector<DirectionalAddend> directional;
+    std::vector<PointAddend> point;  ///< sorted by exponent: 0, 1, 2, others; scene order within each
+    std::vector<Draw> draws;  ///< front to back
+    std::vector<Skipped> skipped;
+    int meshesSkipped = 0;
+    int lightsUsed = 0;  ///< ambient ones included
+    int lightsSkipped = 0;
+    bool litMeshes = false;  ///< some drawn material is lit
+    bool colored = false;  ///< some light is not grey
+    bool albedoNotWhite = false;  ///< some lit material's base colour is not (1,1,1)
+};
+
+/// Plans a frame. The matrices of scene and camera must be up to date and validated (THREE::validate).
+FramePlan planFrame(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                    const Settings& settings);
+
+/// Why switching `term` cannot change the picture of this plan, in both languages; both null if it can.
+Text idleReason(Term term, const FramePlan& plan);
+
+}  // namespace lighting

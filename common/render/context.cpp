@@ -1,0 +1,103 @@
+// EGL without a surface: Mesa's surfaceless platform, else EGL devices.
+// SPDX-License-Identifier: MIT
+#include "render/context.hpp"
+
+#include "render/error.hpp"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace render {
+
+namespace {
+
+std::string eglError() {
+    char text[16];
+    std::snprintf(text, sizeof text, "0x%04X", static_cast<unsigned>(eglGetError()));
+    return std::string("EGL error ") + text;
+}
+
+bool has(const char* extensions, std::string_view name) {
+    const std::string padded = " " + std::string(extensions != nullptr ? extensions : "") + " ";
+    return padded.find(" " + std::string(name) + " ") != std::string::npos;
+}
+
+// Makes an ES 3.0 context current on this display. Returns the reason if it cannot.
+std::string makeCurrent(EGLDisplay display, EGLContext& context) {
+    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
+        return "eglInitialize: " + eglError();
+    if (!has(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
+        return "EGL_KHR_surfaceless_context is missing";
+    eglBindAPI(EGL_OPENGL_ES_API);
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
+                             EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display, wanted, &config, 1, &count) == EGL_FALSE || count == 0)
+        return "no configuration for OpenGL ES 3";
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+    context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+    if (context == EGL_NO_CONTEXT)
+        return "no OpenGL ES 3.0 context: " + eglError();
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+        const std::string reason = "eglMakeCurrent: " + eglError();
+        eglDestroyContext(display, context);
+        return reason;
+    }
+    return {};
+}
+
+}  // namespace
+
+HeadlessContext::HeadlessContext() {
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const auto getPlatformDisplay =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    const auto queryDevices =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    std::string tried;
+    const auto attempt = [&](const char* what, EGLenum platform, void* native) {
+        const EGLDisplay display = getPlatformDisplay(platform, native, nullptr);
+        const std::string reason =
+            display == EGL_NO_DISPLAY ? "no display: " + eglError() : makeCurrent(display, context_);
+        if (reason.empty()) {
+            display_ = display;
+            return true;
+        }
+        if (display != EGL_NO_DISPLAY)
+            eglTerminate(display);
+        tried += std::string("\n  ") + what + ": " + reason;
+        return false;
+    };
+
+    if (getPlatformDisplay != nullptr && has(client, "EGL_MESA_platform_surfaceless")) {
+        if (attempt("EGL surfaceless platform", EGL_PLATFORM_SURFACELESS_MESA, nullptr))
+            return;
+    } else {
+        tried += "\n  EGL surfaceless platform: not offered by this EGL";
+    }
+    EGLDeviceEXT devices[16];
+    EGLint count = 0;
+    if (getPlatformDisplay != nullptr && queryDevices != nullptr &&
+        queryDevices(16, devices, &count) == EGL_TRUE) {
+        for (EGLint i = 0; i < count; ++i)
+            if (attempt("EGL device", EGL_PLATFORM_DEVICE_EXT, devices[i]))
+                return;
+    }
+    if (count == 0)
+        tried += "\n  EGL device platform: no device";
+    throw NoRenderer(
+        "no way to draw without a window; expected an EGL driver with OpenGL ES 3.0. Tried:" + tried +
+        "\n  Install Mesa's software driver (apt-get install libegl-mesa0 libgl1-mesa-dri) and try again.");
+}
+
+HeadlessContext::~HeadlessContext() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+}
+
+}  // namespace render

@@ -1,0 +1,127 @@
+// Turns a frame plan into GL calls.
+// SPDX-License-Identifier: MIT
+#include "render/gl_renderer.hpp"
+
+#include "render/error.hpp"
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
+
+namespace render {
+
+GlRenderer::GlRenderer(std::string shaderDirectory) : programs_(std::move(shaderDirectory)) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+}
+
+std::string GlRenderer::name() const {
+    const auto text = [](GLenum what) {
+        return std::string(reinterpret_cast<const char*>(glGetString(what)));
+    };
+    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+RenderTarget& GlRenderer::target(const FrameRequest& request, bool countNonfinite) {
+    const PixelFormat format = request.floats ? PixelFormat::floats : PixelFormat::codes;
+    if (target_ == nullptr || target_->width() != request.width || target_->height() != request.height ||
+        target_->format() != format || target_->countsNonfinite() != countNonfinite) {
+        target_.reset();  // the old one's memory first
+        target_ = std::make_unique<RenderTarget>(request.width, request.height, format, countNonfinite);
+    }
+    return *target_;
+}
+
+image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting::Settings& settings,
+                                const FrameRequest& request) {
+    RenderTarget& into = target(request, settings.countNonfinite);
+    into.bind();
+    draw(plan, settings, request.width, request.height);
+    image::Frame frame = into.read();
+    if (settings.countNonfinite)
+        stats_.nonfinite = into.countNonfinite();
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw NoRenderer(
+            "the driver ran out of memory while drawing; choose a smaller --size or a smaller scene.");
+    return frame;
+}
+
+void GlRenderer::renderOnly(const lighting::FramePlan& plan, const lighting::Settings& settings,
+                            const FrameRequest& request) {
+    target(request, settings.countNonfinite).bind();
+    draw(plan, settings, request.width, request.height);
+    glFinish();
+}
+
+void GlRenderer::drawToWindow(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
+                              int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    draw(plan, settings, width, height);
+}
+
+void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
+                      int height) {
+    const std::uint64_t before = geometries_.uploadedBytes() + lights_.uploadedBytes();
+    stats_ = FrameStats{};
+    glViewport(0, 0, width, height);
+    glEnable(GL_DEPTH_TEST);  // a panel drawn over the last frame may have changed it
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const glm::vec3 background(plan.background);
+    const float color[] = {background.r, background.g, background.b, 1};
+    const float far[] = {1};
+    const float unmarked[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, color);
+    glClearBufferfv(GL_DEPTH, 0, far);
+    if (settings.countNonfinite)
+        glClearBufferfv(GL_COLOR, 1, unmarked);
+
+    lights_.set(plan);
+    for (const lighting::Draw& mesh : plan.draws)
+        drawMesh(mesh, settings);
+    glBindVertexArray(0);
+    geometries_.endFrame();
+    stats_.uploadedBytes = geometries_.uploadedBytes() + lights_.uploadedBytes() - before;
+    stats_.compileMilliseconds = programs_.compileMilliseconds();
+}
+
+void GlRenderer::drawMesh(const lighting::Draw& draw, const lighting::Settings& settings) {
+    Program& program = programs_.get(draw.variant);
+    glUseProgram(program.id);
+    if (draw.variant.lit)
+        lights_.use(program, settings.skip);
+    const GpuGeometry& geometry = geometries_.get(draw, settings.skip);
+
+    const glm::mat4 clip(draw.clip);
+    const glm::mat4x3 model{glm::dmat4x3(draw.model)};
+    const glm::mat3 normal(draw.normalMatrix);
+    const glm::vec3 albedo(draw.albedo);
+    const glm::vec3 emitted(draw.emitted);
+    glUniformMatrix4fv(program.modelViewProjectionMatrix, 1, GL_FALSE, glm::value_ptr(clip));
+    glUniformMatrix4x3fv(program.modelMatrix, 1, GL_FALSE, glm::value_ptr(model));
+    glUniformMatrix3fv(program.normalMatrix, 1, GL_FALSE, glm::value_ptr(normal));
+    glUniform3fv(program.baseColor, 1, glm::value_ptr(albedo));
+    glUniform3fv(program.emissive, 1, glm::value_ptr(emitted));
+
+    const THREE::Side side = draw.mesh->material->side;
+    if (side == THREE::DoubleSide)
+        glDisable(GL_CULL_FACE);
+    else
+        glEnable(GL_CULL_FACE);
+    glCullFace(side == THREE::BackSide ? GL_FRONT : GL_BACK);
+    glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
+
+    glBindVertexArray(geometry.vertexArray);
+    if (geometry.indexed)
+        glDrawElements(GL_TRIANGLES, geometry.count, GL_UNSIGNED_INT, nullptr);
+    else
+        glDrawArrays(GL_TRIANGLES, 0, geometry.count);
+    ++stats_.drawCalls;
+    ++stats_.meshesDrawn;
+    stats_.triangles += geometry.count / 3;
+}
+
+}  // namespace render

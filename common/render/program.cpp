@@ -1,0 +1,110 @@
+// Compiles and links the shaders of a variant.
+// SPDX-License-Identifier: MIT
+#include "render/program.hpp"
+
+#include "render/error.hpp"
+#include "render/shader_source.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace render {
+
+Programs::Programs(std::string shaderDirectory) : directory_(std::move(shaderDirectory)) {
+    GLint vectors = 0;
+    glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_VECTORS, &vectors);  // at least 224
+    uniformLights_ = std::min((vectors - 16) / 3, 256);
+}
+
+Programs::~Programs() {
+    for (const auto& [variant, program] : programs_)
+        glDeleteProgram(program.id);
+}
+
+Program& Programs::get(const lighting::Variant& variant) {
+    const auto known = programs_.find(variant);
+    if (known != programs_.end())
+        return known->second;
+    const auto start = std::chrono::steady_clock::now();
+    Program& program = programs_.emplace(variant, build(variant)).first->second;
+    milliseconds_ +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return program;
+}
+
+GLuint Programs::compile(GLenum stage, const std::string& file, const std::string& preamble) const {
+    const ShaderSource source = readShader(directory_, file, preamble);
+    const GLuint shader = glCreateShader(stage);
+    const char* text = source.text.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint ok = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok == GL_TRUE)
+        return shader;
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    log.resize(log.find('\0') < log.size() ? log.find('\0') : log.size());
+    glDeleteShader(shader);
+    throw ShaderError("a shader of " + directory_ + " does not compile:\n" +
+                      explain(log, directory_, source) +
+                      "Correct the file and try again; --dump-shader writes the whole variant.");
+}
+
+Program Programs::build(const lighting::Variant& variant) {
+    const bool texture = variant.directional + variant.point() > uniformLights_;
+    const GLuint vertex = compile(GL_VERTEX_SHADER, "mesh.vert", preamble(variant, false, texture));
+    GLuint fragment = 0;
+    try {
+        fragment = compile(GL_FRAGMENT_SHADER, fragmentFile(variant), preamble(variant, true, texture));
+    } catch (...) {
+        glDeleteShader(vertex);
+        throw;
+    }
+    Program program;
+    program.id = glCreateProgram();
+    glAttachShader(program.id, vertex);
+    glAttachShader(program.id, fragment);
+    glLinkProgram(program.id);
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    GLint ok = GL_FALSE;
+    glGetProgramiv(program.id, GL_LINK_STATUS, &ok);
+    if (ok != GL_TRUE) {
+        char log[2048] = "";
+        glGetProgramInfoLog(program.id, sizeof log, nullptr, log);
+        glDeleteProgram(program.id);
+        throw ShaderError("the shaders of " + directory_ + " compile but do not fit together (mesh.vert, " +
+                          fragmentFile(variant) + "):\n" + log);
+    }
+    const auto locate = [&program](GLint& place, const char* name) {
+        place = glGetUniformLocation(program.id, name);
+    };
+    locate(program.modelViewProjectionMatrix, "modelViewProjectionMatrix");
+    locate(program.modelMatrix, "modelMatrix");
+    locate(program.normalMatrix, "normalMatrix");
+    locate(program.baseColor, "baseColor");
+    locate(program.emissive, "emissive");
+    locate(program.ambientLight, "ambientLight");
+    locate(program.lightGeometry, "lightGeometry");
+    locate(program.lightRadiance, "lightRadiance");
+    locate(program.lightFalloff, "lightFalloff");
+    locate(program.lightData, "lightData");
+    return program;
+}
+
+const char* fragmentFile(const lighting::Variant& variant) {
+    return variant.lit ? "mesh.frag" : "unlit.frag";
+}
+
+std::string dumpShaders(const std::string& directory, const lighting::Variant& variant) {
+    const auto part = [&](const std::string& file, bool fragment) {
+        const ShaderSource source = readShader(directory, file, preamble(variant, fragment, false));
+        return "// ==== " + file + "\n" + source.text + "\n";
+    };
+    return part("mesh.vert", false) + part(fragmentFile(variant), true);
+}
+
+}  // namespace render

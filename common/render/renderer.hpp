@@ -1,0 +1,44 @@
+// The one interface behind which a renderer stands: scene, camera and settings in, a frame out.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "image/frame.hpp"
+#include "lighting/frame_plan.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace render {
+
+/// What a frame cost and what it did without (--stats).
+struct FrameStats {
+    int drawCalls = 0;
+    long long triangles = 0;
+    int meshesDrawn = 0;
+    std::uint64_t uploadedBytes = 0;  ///< by this frame: vertices, indices, lights
+    double compileMilliseconds = 0;  ///< since the renderer began
+    std::optional<long long> nonfinite;  ///< pixels that met NaN or infinity; none: not counted
+};
+
+/// How a frame is wanted.
+struct FrameRequest {
+    int width = 512;
+    int height = 512;
+    bool floats = false;  ///< linear, unclamped floats instead of 8-bit codes
+};
+
+/// Draws frames. The matrices of scene and camera must be up to date and validated.
+class Renderer {
+  public:
+    virtual ~Renderer() = default;
+    /// Draws one frame of a plan and returns it. Throws NoRenderer, ShaderError.
+    virtual image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
+                                const FrameRequest& request) = 0;
+    /// Of the last frame.
+    virtual FrameStats stats() const = 0;
+    /// The driver's own name for itself.
+    virtual std::string name() const = 0;
+};
+
+}  // namespace render

@@ -1,0 +1,28 @@
+// The lighting equation of slide 42, one line per symbol. Each symbol is a file in terms/: switched off, it is the neutral
+// element of its operation (1 in a product, 0 in a sum), so what is left is still an equation.
+//
+//     P  =  ( sum_i  max(0, n . w_i)  f(d_i)  D (x) L_i )  +  D (x) L_A
+//
+// SPDX-License-Identifier: MIT
+#include "lights.glsl"
+// the factors
+#include "terms/albedo.glsl"
+#include "terms/cosine.glsl"
+#include "terms/clamp.glsl"
+#include "terms/attenuation.glsl"
+#include "terms/light_color.glsl"
+// the addends, made of factors
+#include "terms/directional.glsl"
+#include "terms/point.glsl"
+#include "terms/ambient.glsl"
+
+// n: unit normal, Q: the point, both in world space; D: base colour
+vec3 lighting(vec3 n, vec3 Q, vec3 D)
+{
+    D = albedo(D);
+    vec3 P = vec3(0.0);
+    P = add_directional_lights(P, n, D);
+    P = add_point_lights(P, n, Q, D);
+    P = add_ambient_light(P, D);
+    return P;
+}

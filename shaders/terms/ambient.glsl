@@ -1,0 +1,11 @@
+// TERM ambient | slides 40-42 | D (x) L_A: the light that comes from everywhere | off: 0
+// SPDX-License-Identifier: MIT
+uniform vec3 ambientLight;  // L_A, the sum of all ambient lights
+
+vec3 add_ambient_light(vec3 P, vec3 D)
+{
+#if TERM_AMBIENT
+    P += D * ambientLight;
+#endif
+    return P;
+}

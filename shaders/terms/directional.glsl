@@ -1,0 +1,10 @@
+// TERM directional | slides 29-30 | the addends of the lights whose direction w is the same everywhere | off: 0
+// SPDX-License-Identifier: MIT
+vec3 add_directional_lights(vec3 P, vec3 n, vec3 D)
+{
+#if TERM_DIRECTIONAL
+    for (int i = 0; i < NUM_DIRECTIONAL_LIGHTS; ++i)
+        P += clamp_cosine(cosine(n, directional_w(i))) * D * light_color(directional_L(i));
+#endif
+    return P;
+}

@@ -1,0 +1,48 @@
+// What every shader of a variant shares. The framework writes the #defines above it: only what the scene has.
+// SPDX-License-Identifier: MIT
+
+#ifdef FRAGMENT_SHADER
+
+layout(location = 0) out vec4 pixel;
+
+// -1 on the back of a surface that is drawn on its back too, as in three.js
+float facing()
+{
+#if DOUBLE_SIDED
+    return gl_FrontFacing ? 1.0 : -1.0;
+#else
+    return 1.0;
+#endif
+}
+
+#if COUNT_NONFINITE
+
+// A pixel that met NaN or infinity anywhere is marked in a second target (--stats, tests).
+layout(location = 1) out vec4 nonfinite;
+bool met_nonfinite = false;
+
+void watch(float x)
+{
+    if ((floatBitsToUint(x) & 0x7F800000u) == 0x7F800000u)
+        met_nonfinite = true;
+}
+void watch(vec3 v) { watch(v.x); watch(v.y); watch(v.z); }
+
+#else
+
+void watch(float x) {}
+void watch(vec3 v) {}
+
+#endif
+
+// A sum beyond the largest float is stored as the largest float.
+void write_pixel(vec3 P)
+{
+    watch(P);
+    pixel = vec4(min(P, 3.4028234e38), 1.0);
+#if COUNT_NONFINITE
+    nonfinite = vec4(met_nonfinite ? 1.0 : 0.0);
+#endif
+}
+
+#endif

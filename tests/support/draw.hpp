@@ -1,0 +1,38 @@
+// Draws a scene in this process, without a window: what the frame tests look at.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "image/frame.hpp"
+#include "lighting/frame_plan.hpp"
+#include "render/renderer.hpp"
+#include "three/three.hpp"
+
+namespace support {
+
+/// How a test wants its frame; the rest as lighting::Settings.
+struct DrawOptions {
+    int width = 64;
+    int height = 64;
+    bool floats = true;
+    lighting::Settings settings;
+};
+
+/// A drawn frame, its plan and its cost.
+struct Drawn {
+    image::Frame frame;
+    lighting::FramePlan plan;
+    render::FrameStats stats;
+
+    /// A pixel's three floats, from the top left.
+    glm::vec3 at(int x, int y) const;
+    const image::Floats& floats() const { return std::get<image::Floats>(frame.pixels); }
+};
+
+/// Updates matrices, validates, plans and draws with one context for the whole test program. Every frame is also
+/// counted for NaN and infinity; a test fails if there are any.
+Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options = {});
+
+/// u, the unit roundoff of float: half the distance from 1 to the next float.
+inline constexpr double u = 0x1p-24;
+
+}  // namespace support
