@@ -36,12 +36,12 @@ int main(int argc, char** argv) {
     miaMesh.rotation.set(0.5, 0.3, 0.2);
     miaScena.add(miaMesh);
 
-    // Step 2: set the base colour D (the slide calls it a light blue: it is orange).  // NUOVO 36.2
+    // Step 2: set the base colour D (an orange, whatever slide 36 calls it).  // NUOVO 36.2
     mioMat.color.set(0xFF8855);  // NUOVO 36.2
 
     // A floor below it.
     THREE::PlaneGeometry quadrato(9, 9);
-    THREE::MeshLambertMaterial pavimentoMat(0x7788AA);  // NUOVO 36.1
+    THREE::MeshLambertMaterial pavimentoMat(0x7788AA);  // NUOVO 36
     // PRIMA THREE::MeshBasicMaterial pavimentoMat(0x7788AA);
     THREE::Mesh pavimento(quadrato, pavimentoMat);
     pavimento.rotation.x = -1.5707963267948966;

@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
     miaMesh.rotation.set(0.5, 0.3, 0.2);
     miaScena.add(miaMesh);
 
-    // Step 2: set the base colour D (the slide calls it a light blue: it is orange).
+    // Step 2: set the base colour D (an orange, whatever slide 36 calls it).
     mioMat.color.set(0xFF8855);
 
     // A floor below it.
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     THREE::DirectionalLight miaLuce;  // NUOVO 36.3
     miaScena.add(miaLuce);  // NUOVO 36.3
 
-    // Step 4: its colour L, and its direction, which is called "position" and gets normalised.  // NUOVO 36.4
+    // Step 4: its colour L, and its direction; "position" is normalised.  // NUOVO 36.4
     miaLuce.color.set(0xFFFFFF);  // NUOVO 36.4
     miaLuce.position.set(0, 3, -2);  // NUOVO 36.4
 

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     miaMesh.rotation.set(0.5, 0.3, 0.2);
     miaScena.add(miaMesh);
 
-    // Step 2: set the base colour D (the slide calls it a light blue: it is orange).
+    // Step 2: set the base colour D (an orange, whatever slide 36 calls it).
     mioMat.color.set(0xFF8855);
 
     // A floor below it.
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     THREE::DirectionalLight miaLuce;
     miaScena.add(miaLuce);
 
-    // Step 4: its colour L, and its direction, which is called "position" and gets normalised.
+    // Step 4: its colour L, and its direction; "position" is normalised.
     miaLuce.color.set(0xFFFFFF);
     miaLuce.position.set(0, 3, -2);
 

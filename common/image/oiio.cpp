@@ -53,8 +53,9 @@ void encode(const std::string& extension, const Frame& frame, const Metadata& me
             "the frame is larger than " + std::to_string(largestWritten) +
             " one way; expected a size that most formats hold; write .png or .exr, or make it smaller");
     }
+    OIIO::Filesystem::IOVecOutput memory(
+        encoded);  // outlives the output, which may write when it is destroyed
     const std::unique_ptr<OIIO::ImageOutput> output = createOutput(extension);
-    OIIO::Filesystem::IOVecOutput memory(encoded);
     output->set_ioproxy(&memory);
     const bool bytes = std::holds_alternative<Bytes>(frame.pixels);
     OIIO::ImageSpec spec(frame.width, frame.height, 3, bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);

@@ -1,4 +1,4 @@
-// What the parametric geometries have in common: refusing bad parameters and collecting vertices and triangles.
+// What the parametric geometries share: refusing bad parameters, collecting vertices and triangles.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -19,7 +19,7 @@ enum class Rule {
     Count,  ///< lesson 00 has no NUOVO line; every later one has 1 to 20, and at most 3 PRIMA
     Slides,  ///< a cited slide and item is in slides.json and among the header's slides
     Items,  ///< a slide's code is in its lesson alone: every line, in order, nothing else tagged with it
-    Comment,  ///< a run of NUOVO lines opens with a comment; #include, and one line with comment or PRIMA, need none
+    Comment,  ///< a run of NUOVO lines opens with a comment, save #include and a line with comment or PRIMA
     Width,  ///< at most 84 columns before the tag, so that no tool wraps a tagged line
     Tags,  ///< every mark is spelled as lesson_file.hpp says
     Place  ///< only the chain's lessons have marks

@@ -18,8 +18,8 @@ namespace nuovo::test {
 /// File name -> text; std::map's order by name is the chain's.
 using Files = std::map<std::string, std::string>;
 
-/// Four lessons with a PRIMA, a tagged #include, a line with its own comment and one that cites no item, and an
-/// interlude outside the chain.
+/// Four lessons with a PRIMA, a tagged #include, a line with its own comment and one that cites no item, and
+/// an interlude outside the chain.
 inline Files validFiles() {
     const std::string top = "#include \"lab/lab.hpp\"\n";
     const std::string main = "\nint main(int argc, char** argv) {\n    auto app = lab::App(argc, argv, \"";
@@ -80,7 +80,7 @@ inline const char* const kSlides = R"({"slides": [
          "cpp": ["THREE::DirectionalLight miaLuce;", "miaScena.add(miaLuce); // viene aggiunta"]}]},
     {"number": 43, "code": [{"item": "43", "lesson": "lesson_03_ambient",
         "cpp": ["THREE::AmbientLight luceAmbiente;", "miaScena.add(luceAmbiente);"]}]},
-    {"number": 44, "code": [{"item": "44.1", "lesson": "lesson_09_to_come", "cpp": ["mioMat.shininess = 30;"]}]}
+    {"number": 44, "code": [{"item": "44.1", "lesson": "lesson_09_later", "cpp": ["mioMat.shininess = 30;"]}]}
 ]})";
 
 /// The same sorting that readLessons does, without a disk between.

@@ -48,8 +48,8 @@ struct Slides {
 
 /// Reads the .cpp files of `directory`, not below it. Throws InputError: no directory, no lesson, no access.
 LessonSet readLessons(const std::filesystem::path& directory);
-/// Reads slides.json. Throws InputError: unreadable, no JSON, a field missing or of the wrong type, a slide or
-/// item twice, an item of another slide.
+/// Reads slides.json. Throws InputError: unreadable, no JSON, a field missing or of the wrong type, a slide
+/// or item twice, an item of another slide.
 Slides readSlides(const std::filesystem::path& file);
 /// The same from text; `file` is for messages.
 Slides parseSlides(const std::filesystem::path& file, std::string_view text);

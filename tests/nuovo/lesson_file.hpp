@@ -10,12 +10,12 @@
 
 // The marks, exactly (anything that resembles one and is none is reported):
 //
-//     <code>  // NUOVO <slide>[.<item>]   a line that this lesson adds; comment lines are tagged at their end too
-//     // PRIMA <old line>                 what the NUOVO line just above replaces, as the previous lesson had it
+//     <code>  // NUOVO <slide>[.<item>]   a line that this lesson adds; comment lines are tagged alike
+//     // PRIMA <old line>                 what the NUOVO line just above replaces, from the previous lesson
 //
-// A PRIMA comment stands at the indentation of the old line: it restores to its own indentation followed by all
-// that comes after "// PRIMA ", so further blanks there are further indentation. Several old lines take as many
-// PRIMA lines, one below the other.
+// A PRIMA comment stands at the indentation of the old line: it restores to its own indentation followed by
+// all that comes after "// PRIMA ", so further blanks there are further indentation. Several old lines take
+// as many PRIMA lines, one below the other.
 namespace nuovo {
 
 /// What a tag names: a slide (1..9999, as printed on it) and one of its numbered code items, 0 for none.

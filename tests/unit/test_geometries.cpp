@@ -1,4 +1,4 @@
-// The parametric geometries against three.js's own vertices, hand-derived values, closedness, and refused parameters.
+// The parametric geometries: three.js's vertices, hand-derived values, closedness, refused parameters.
 // SPDX-License-Identifier: MIT
 #include "three/geometries.hpp"
 

@@ -67,7 +67,7 @@ TEST_F(Image, TopRowFirstInEveryFormat) {
         image::write("a" + extension, quarters(), {});
         const Frame read = image::readFrame("a" + extension);
         ASSERT_EQ(floatsOf(read).size(), floatsOf(quarters()).size()) << extension;
-        for (const std::size_t pixel : {16 * 64 + 16, 16 * 64 + 48, 48 * 64 + 16, 48 * 64 + 48}) {
+        for (const std::size_t pixel : {16U * 64 + 16, 16U * 64 + 48, 48U * 64 + 16, 48U * 64 + 48}) {
             for (std::size_t i = pixel * 3; i < pixel * 3 + 3; ++i) {
                 EXPECT_NEAR(floatsOf(read)[i], floatsOf(quarters())[i], 0.04) << extension << " number " << i;
             }

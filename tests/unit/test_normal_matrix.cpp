@@ -161,6 +161,13 @@ TEST(NormalMatrix, M13NestedTwoSmallAxes) {
     expectNormals(nested({1e-4, -1e-4, 1}), 1e-4L);
 }
 
+// Harder than the suite, whose bounds are a float's: cofactors with two roundings each would be 6e-7 degrees off here,
+// and the sign of their determinant chance. Long double still is good for 3e-10.
+TEST(NormalMatrix, NestedTwoMinuteAxesNeedExactProducts) {
+    expectNormals(nested({1, 1e-8, 1e-8}), 1e-8L);
+    expectNormals(nested({1e-8, 1, -1e-8}), 1e-8L);
+}
+
 // Such a matrix is refused by validate() (test_validate.cpp); here it must only do no harm.
 TEST(NormalMatrix, M14NotANumberGivesZero) {
     for (const double bad :

@@ -1,0 +1,206 @@
+// Whatever a user gets wrong: the promised status, a message that says what, where and what next, and nothing left behind.
+// SPDX-License-Identifier: MIT
+#include "image/oiio.hpp"
+#include "support/program.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace {
+
+using support::Outcome;
+using support::TemporaryDirectory;
+using Arguments = std::vector<std::string>;
+
+struct Case {
+    const char* name;
+    Arguments arguments;
+    int status;
+    const char* message;  // a part of stderr
+};
+
+class CommandLine : public testing::TestWithParam<Case> {};
+
+TEST_P(CommandLine, SaysWhatIsWrong) {
+    const TemporaryDirectory directory;
+    const Outcome outcome = support::run(GetParam().arguments, directory.path());
+    EXPECT_EQ(outcome.status, GetParam().status) << outcome.err;
+    EXPECT_NE(outcome.err.find(GetParam().message), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(GetParam().arguments[0]), std::string::npos)
+        << "the program names itself: " << outcome.err;
+    EXPECT_EQ(directory.contents(), Arguments{});
+}
+
+const std::string lesson = "lesson_04_ambient";
+
+INSTANTIATE_TEST_SUITE_P(
+    Usage, CommandLine,
+    testing::Values(
+        Case{"unknown_option", {lesson, "--frmae", "a.png"}, 2, "--frmae"},
+        Case{"missing_value", {lesson, "--frame"}, 2, "--frame"},
+        Case{"empty_file_name", {lesson, "--frame", ""}, 2, "file name"},
+        Case{"stray_argument", {lesson, "x.json"}, 2, "x.json"},
+        Case{"size_zero", {lesson, "--frame", "a.png", "--size", "0x10"}, 2, "1 to 8192"},
+        Case{"size_huge", {lesson, "--frame", "a.png", "--size", "100000x100000"}, 2, "1 to 8192"},
+        Case{"size_overflow", {lesson, "--frame", "a.png", "--size", "99999999999x1"}, 2, "1 to 8192"},
+        Case{"size_negative", {lesson, "--frame", "a.png", "--size", "-5x10"}, 2, "1 to 8192"},
+        Case{"size_text", {lesson, "--frame", "a.png", "--size", "big"}, 2, "WIDTHxHEIGHT"},
+        Case{"size_trailing", {lesson, "--frame", "a.png", "--size", "10x10x10"}, 2, "10x10x10"},
+        Case{"time_text", {lesson, "--frame", "a.png", "--time", "soon"}, 2, "finite number"},
+        Case{"time_nan", {lesson, "--frame", "a.png", "--time", "nan"}, 2, "finite number"},
+        Case{"time_infinite", {lesson, "--frame", "a.png", "--time", "1e999"}, 2, "finite number"},
+        Case{"decay_negative", {lesson, "--frame", "a.png", "--decay", "-1"}, 2, "0 or more"},
+        Case{"terms_unknown", {lesson, "--frame", "a.png", "--terms", "cosine,gloss"}, 2, "gloss"},
+        Case{"terms_mixed", {lesson, "--frame", "a.png", "--terms", "cosine,-clamp"}, 2, "mixes"},
+        Case{"camera_short", {lesson, "--frame", "a.png", "--camera", "1,2,3"}, 2, "px,py,pz"},
+        Case{"camera_text", {lesson, "--frame", "a.png", "--camera", "1,2,3,4,5,six"}, 2, "six"},
+        Case{"camera_fov", {lesson, "--frame", "a.png", "--camera", "1,2,3,0,0,0,180"}, 2, "180"},
+        Case{"jitter_text", {lesson, "--frame", "a.png", "--jitter", "x"}, 2, "whole number"},
+        Case{"frames_zero", {lesson, "--frames", "0"}, 2, "1000000"},
+        Case{"lang_unknown", {lesson, "--lang", "fr"}, 2, "fr"},
+        Case{"no_scene_file", {"scene_viewer"}, 2, "file"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Output, CommandLine,
+    testing::Values(Case{"no_such_folder", {lesson, "--frame", "nowhere/a.png"}, 5, "nowhere"},
+                    Case{"a_folder", {lesson, "--frame", "/tmp"}, 5, "/tmp"},
+                    Case{"unknown_format", {lesson, "--frame", "a.wav9"}, 5, "wav9"},
+                    Case{"no_format", {lesson, "--frame", "picture"}, 5, "picture"},
+                    Case{"scene_nowhere", {lesson, "--dump-scene", "nowhere/s.json"}, 5, "nowhere"},
+                    Case{"device", {lesson, "--frame", "/dev/full.png"}, 5, "/dev/full.png"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Scene, CommandLine,
+    testing::Values(
+        Case{"missing", {"scene_viewer", "nothing.json", "--frame", "a.png"}, 4, "nothing.json"},
+        Case{"directory", {"scene_viewer", "/", "--frame", "a.png"}, 4, "/"},
+        Case{"missing_obj", {"scene_viewer", "nothing.obj", "--frame", "a.png"}, 4, "nothing.obj"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Shaders, CommandLine,
+    testing::Values(Case{"no_folder", {lesson, "--frame", "a.png", "--shaders", "nowhere"}, 3, "mesh.vert"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(BrokenScenes, NameTheFileThePlaceAndTheReason) {
+    const std::string whole = support::readFile(LAMBERT_SOURCE_DIR "/tests/threejs/s07_ambient.json");
+    ASSERT_GT(whole.size(), 1000U);
+    const auto replaced = [&whole](const std::string& what, const std::string& by) {
+        std::string text = whole;
+        const std::size_t at = text.find(what);
+        EXPECT_NE(at, std::string::npos) << what;
+        return text.replace(at, what.size(), by);
+    };
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"truncated", whole.substr(0, whole.size() / 2)},
+        {"empty", ""},
+        {"wrong_type", replaced("\"fov\":40", "\"fov\":\"wide\"")},
+        {"fov_zero", replaced("\"fov\":40", "\"fov\":0")},
+        {"huge_number", replaced("\"fov\":40", "\"fov\":1e999")},
+        {"not_a_number", replaced("\"fov\":40", "\"fov\":NaN")},
+        {"huge_count", replaced("\"itemSize\":3", "\"itemSize\":1000000000")},
+        {"no_object", R"({"metadata":{"version":4.5,"type":"Object"}})"},
+        {"deep", std::string(100'000, '[')},
+    };
+    for (const auto& [name, text] : cases) {
+        const TemporaryDirectory directory;
+        support::writeFile(directory.file(name + ".json"), text);
+        const Outcome outcome =
+            support::run({"scene_viewer", name + ".json", "--frame", "a.png"}, directory.path());
+        EXPECT_EQ(outcome.status, 4) << name << ": " << outcome.err;
+        EXPECT_NE(outcome.err.find(name + ".json"), std::string::npos) << outcome.err;
+        EXPECT_EQ(directory.contents(), Arguments{name + ".json"});
+    }
+}
+
+TEST(BrokenShaders, NameTheFileAndTheLine) {
+    const TemporaryDirectory directory;
+    std::filesystem::copy(LAMBERT_SOURCE_DIR "/shaders", directory.file("shaders"),
+                          std::filesystem::copy_options::recursive);
+    const std::string cosine = directory.file("shaders/terms/cosine.glsl");
+    std::string text = support::readFile(cosine);
+    const std::size_t at = text.find("dot(n, v)");
+    ASSERT_NE(at, std::string::npos);
+    const auto line =
+        std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+    support::writeFile(cosine, text.replace(at, 3, "dto"));
+    const Outcome outcome =
+        support::run({lesson, "--frame", "a.png", "--shaders", "shaders"}, directory.path());
+    EXPECT_EQ(outcome.status, 3);
+    EXPECT_NE(outcome.err.find("terms/cosine.glsl:" + line), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("> " + line + " |"), std::string::npos)
+        << "the line itself is shown: " << outcome.err;
+    std::filesystem::remove(cosine);
+    const Outcome missing =
+        support::run({lesson, "--frame", "a.png", "--shaders", "shaders"}, directory.path());
+    EXPECT_EQ(missing.status, 3);
+    EXPECT_NE(missing.err.find("lighting.glsl:"), std::string::npos) << "who asked for it: " << missing.err;
+    EXPECT_EQ(directory.contents(), Arguments{"shaders"});
+}
+
+TEST(NoRenderer, SaysWhatWasTriedAndWhatToInstall) {
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        support::run({lesson, "--frame", "a.png"}, directory.path(),
+                     {{"__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}});
+    EXPECT_EQ(outcome.status, 3) << outcome.err;
+    for (const char* part : {"surfaceless", "libegl-mesa0", "libgl1-mesa-dri"})
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_EQ(directory.contents(), Arguments{});
+}
+
+TEST(NoDisplay, WritesTheFrameAndSaysSo) {
+    for (const auto& [language, words] :
+         {std::pair{"en", "no display"}, std::pair{"it", "nessuno schermo"}}) {
+        const TemporaryDirectory directory;
+        const Outcome outcome = support::run({lesson, "--lang", language}, directory.path());
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
+        EXPECT_NE(outcome.out.find("lesson_04_ambient.png"), std::string::npos) << outcome.out;
+        EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+        EXPECT_EQ(directory.contents(), Arguments{"lesson_04_ambient.png"});
+    }
+}
+
+TEST(Sizes, OnePixelAndTheLargest) {
+    const TemporaryDirectory directory;
+    for (const auto& [size, side] :
+         {std::pair{"1x1", 1}, std::pair{"1x8192", 8192}, std::pair{"8192x1", 8192}}) {
+        const Outcome outcome = support::run({lesson, "--frame", "a.png", "--size", size}, directory.path());
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const image::Frame frame = image::readFrame(directory.file("a.png"));
+        EXPECT_EQ(std::max(frame.width, frame.height), side);
+    }
+}
+
+TEST(LargestSize, EightThousandSquare) {  // labelled slow
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        support::run({lesson, "--frame", "a.png", "--size", "8192x8192"}, directory.path());
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const image::Frame frame = image::readFrame(directory.file("a.png"));
+    EXPECT_EQ(frame.width, 8192);
+    EXPECT_EQ(frame.height, 8192);
+}
+
+TEST(Information, HelpVersionAndTerms) {
+    const TemporaryDirectory directory;
+    const Outcome help = support::run({lesson, "--help"}, directory.path());
+    EXPECT_EQ(help.status, 0);
+    for (const char* option : {"--frame", "--size", "--time", "--terms", "--decay", "--camera", "--jitter",
+                               "--no-skip", "--shaders", "--frames", "--stats", "--dump-scene",
+                               "--dump-shader", "--list-terms", "--lang", "--version"})
+        EXPECT_NE(help.out.find(option), std::string::npos) << option;
+    EXPECT_NE(support::run({lesson, "--version"}, directory.path()).out.find("lesson_04_ambient"),
+              std::string::npos);
+    const Outcome italian = support::run({lesson, "--list-terms", "--lang", "it"}, directory.path());
+    EXPECT_NE(italian.out.find("legge del coseno"), std::string::npos);
+    EXPECT_EQ(std::count(italian.out.begin(), italian.out.end(), '\n'), 9);
+    const Outcome shader = support::run({lesson, "--dump-shader"}, directory.path());
+    EXPECT_NE(shader.out.find("vec3 lighting("), std::string::npos);
+    EXPECT_EQ(directory.contents(), Arguments{});
+}
+
+}  // namespace

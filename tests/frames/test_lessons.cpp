@@ -1,0 +1,139 @@
+// The lessons as programs: their frames are what their headers say, repeatable, and the same through a scene file.
+// SPDX-License-Identifier: MIT
+#include "image/compare.hpp"
+#include "image/oiio.hpp"
+#include "support/program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using support::Outcome;
+using support::TemporaryDirectory;
+
+const std::vector<std::string> lessons{"lesson_00_scene", "lesson_01_material", "lesson_02_directional_light",
+                                       "lesson_03_point_light", "lesson_04_ambient"};
+
+// A lesson's frame with some options, through a file of that extension.
+image::Frame frameOf(const std::string& lesson, std::vector<std::string> options = {},
+                     const std::string& extension = ".exr") {
+    const TemporaryDirectory directory;
+    options.insert(options.begin(), {lesson, "--frame", "frame" + extension, "--size", "200x150"});
+    const Outcome outcome = support::run(options, directory.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(directory.contents(), std::vector<std::string>{"frame" + extension});
+    return image::readFrame(directory.file("frame" + extension));
+}
+
+double worst(const image::Frame& a, const image::Frame& b) { return image::compare(a, b).worst; }
+
+class EachLesson : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLesson, TwoRunsTheSameBytes) {
+    for (const char* file : {"a.png", "a.exr"}) {
+        std::string bytes[2];
+        for (std::string& b : bytes) {
+            const TemporaryDirectory directory;
+            ASSERT_EQ(support::run({GetParam(), "--frame", file, "--jitter", "7", "--time", "1.5"},
+                                   directory.path())
+                          .status,
+                      0);
+            b = support::readFile(directory.file(file));
+        }
+        EXPECT_GT(bytes[0].size(), 1000U);
+        EXPECT_EQ(bytes[0], bytes[1]) << file;
+    }
+}
+
+TEST_P(EachLesson, TheSameFrameThroughASceneFile) {
+    const TemporaryDirectory directory;
+    const Outcome dumped = support::run(
+        {GetParam(), "--dump-scene", "scene.json", "--frame", "lesson.exr", "--time", "2"}, directory.path());
+    ASSERT_EQ(dumped.status, 0) << dumped.err;
+    const Outcome viewed =
+        support::run({"scene_viewer", "scene.json", "--frame", "viewer.exr"}, directory.path());
+    ASSERT_EQ(viewed.status, 0) << viewed.err;
+    const image::Difference d = image::compare(image::readFrame(directory.file("lesson.exr")),
+                                               image::readFrame(directory.file("viewer.exr")), 1e-5);
+    EXPECT_LT(d.above, 20U) << "worst " << d.worst << " at " << d.x << ',' << d.y;
+}
+
+TEST_P(EachLesson, NothingSkippedTheSameBytes) {
+    EXPECT_EQ(worst(frameOf(GetParam()), frameOf(GetParam(), {"--no-skip"})), 0);
+}
+
+TEST_P(EachLesson, TimeCameraAndJitterChangeThePicture) {
+    const image::Frame still = frameOf(GetParam());
+    EXPECT_GT(worst(still, frameOf(GetParam(), {"--camera", "4,2,4,0,1,0,50"})), 0.01);
+    EXPECT_GT(worst(still, frameOf(GetParam(), {"--jitter", "1"})), 0.01);
+    EXPECT_GT(worst(frameOf(GetParam(), {"--jitter", "1"}), frameOf(GetParam(), {"--jitter", "2"})), 0.01);
+    EXPECT_GT(worst(still, frameOf(GetParam(), {"--time", "1"})), 0.01);
+}
+
+TEST_P(EachLesson, StatsAreOneLineOfJsonWithEveryKey) {
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        support::run({GetParam(), "--stats", "--frames", "3", "--size", "64x64"}, directory.path());
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const nlohmann::json stats = nlohmann::json::parse(outcome.out);
+    for (const char* key :
+         {"renderer", "width", "height", "shader_variant", "meshes", "lights", "skipped", "draw_calls",
+          "triangles", "uploads_bytes", "compile_ms", "first_frame_ms", "frame_ms", "nonfinite"})
+        EXPECT_TRUE(stats.contains(key)) << key;
+    EXPECT_EQ(stats["nonfinite"], 0);
+    EXPECT_EQ(stats["frame_ms"]["n"], 3);
+    EXPECT_GT(stats["frame_ms"]["median"], 0);
+    EXPECT_EQ(stats["triangles"], 51'202);
+    EXPECT_EQ(directory.contents(), std::vector<std::string>{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Chain, EachLesson, testing::ValuesIn(lessons),
+                         [](const auto& info) { return info.param; });
+
+// What the headers promise.
+TEST(Lessons, EachDrawsWhatItsHeaderSays) {
+    const auto count = [](const image::Frame& frame, const auto& is) {
+        const image::Floats& f = std::get<image::Floats>(frame.pixels);
+        int n = 0;
+        for (std::size_t i = 0; i < f.size(); i += 3)
+            n += is(f[i], f[i + 1], f[i + 2]) ? 1 : 0;
+        return n;
+    };
+    const auto black = [](float r, float g, float b) { return r == 0 && g == 0 && b == 0; };
+    const auto white = [](float r, float g, float b) { return r == 1 && g == 1 && b == 1; };
+    const image::Frame flat = frameOf(lessons[0]);
+    const int knot = count(flat, white);
+    EXPECT_GT(knot, 4000);
+    const image::Frame dark = frameOf(lessons[1]);
+    EXPECT_GT(count(dark, black), knot) << "without light the knot and the floor are black";
+    const image::Frame sun = frameOf(lessons[2]);
+    EXPECT_GT(count(sun, black), knot / 4) << "the side that is turned away from the sun is black";
+    EXPECT_LT(count(sun, black), knot * 95 / 100);
+    EXPECT_LT(count(frameOf(lessons[3]), black), count(sun, black) / 2)
+        << "the second light reaches most of it";
+    EXPECT_EQ(count(frameOf(lessons[4]), black), 0) << "nothing is black any more";
+}
+
+TEST(Lessons, AmbientAddsAtMostTheCodesItsHeaderNames) {
+    const image::Difference d =
+        image::compare(frameOf(lessons[3], {}, ".exr"), frameOf(lessons[4], {}, ".exr"));
+    EXPECT_NEAR(d.maximum[0] * 255, 16, 1e-3);
+    EXPECT_NEAR(d.maximum[1] * 255, 16.0 * 0x88 / 255, 1e-3);
+}
+
+TEST(Lessons, FormatsAgree) {
+    const image::Frame exact = frameOf("lesson_04_ambient", {}, ".exr");
+    EXPECT_EQ(worst(exact, frameOf("lesson_04_ambient", {}, ".tif")), 0);
+    EXPECT_LE(worst(exact, frameOf("lesson_04_ambient", {}, ".png")), 0.501 / 255);
+    const image::Difference jpeg = image::compare(exact, frameOf("lesson_04_ambient", {}, ".jpg"));
+    EXPECT_LT(jpeg.mean, 0.03);
+}
+
+TEST(Lessons, DecayOverridesEveryPointLight) {
+    EXPECT_EQ(worst(frameOf("lesson_04_ambient"), frameOf("lesson_04_ambient", {"--decay", "0"})), 0);
+    EXPECT_GT(worst(frameOf("lesson_04_ambient"), frameOf("lesson_04_ambient", {"--decay", "2"})), 0.2);
+}
+
+}  // namespace

@@ -1,0 +1,64 @@
+// scene_viewer against the float frames that three.js r146 drew of the same files.
+// SPDX-License-Identifier: MIT
+#include "image/compare.hpp"
+#include "image/oiio.hpp"
+#include "support/program.hpp"
+#include "support/silhouette.hpp"
+#include "three/object_loader.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace {
+
+const std::string folder = LAMBERT_SOURCE_DIR "/tests/threejs/";
+
+class ThreeJs : public testing::TestWithParam<const char*> {
+  protected:
+    // 1 away from silhouettes, see support/silhouette.hpp
+    static std::vector<std::uint8_t> mask(const std::string& scene) {
+        THREE::LoadedScene loaded = THREE::ObjectLoader().load(scene);
+        loaded.scene->updateMatrixWorld();
+        loaded.camera->aspect = 1;
+        return support::awayFromSilhouettes(*loaded.scene, *loaded.camera, 256, 256);
+    }
+};
+
+TEST_P(ThreeJs, TheSameFrame) {
+    const std::string name = GetParam();
+    const support::TemporaryDirectory directory;
+    for (const char* file : {"f.exr", "f.png"}) {
+        const support::Outcome drawn =
+            support::run({"scene_viewer", folder + name + ".json", "--frame", file, "--size", "256x256"},
+                         directory.path());
+        ASSERT_EQ(drawn.status, 0) << drawn.err;
+    }
+    const image::Frame expected = image::readFrame(folder + name + ".exr");
+    const std::vector<std::uint8_t> away = mask(folder + name + ".json");
+    const auto compared = std::count(away.begin(), away.end(), 1);
+    EXPECT_GT(compared, 256 * 256 * 85 / 100) << "too much is masked";
+
+    const image::Difference floats =
+        image::compare(expected, image::readFrame(directory.file("f.exr")), 1 / 255.0, away);
+    // Measured on llvmpipe: at most 4.2e-5 in all eight scenes (three.js's own error). The gate is 4 times that.
+    EXPECT_LT(floats.worst, 1.7e-4) << "pixel " << floats.x << ',' << floats.y;
+    EXPECT_EQ(floats.above, 0U);
+
+    image::Frame codes = expected;
+    codes.pixels = image::toBytes(expected);
+    const image::Difference bytes = image::compare(codes, image::readFrame(directory.file("f.png")), 0, away);
+    EXPECT_LE(bytes.worst, 1.001 / 255) << "pixel " << bytes.x << ',' << bytes.y;
+    if (HasFailure())
+        image::writeDifferencePicture("difference_" + name + ".png", expected,
+                                      image::readFrame(directory.file("f.exr")), 1000);
+    std::cout << name << ": worst " << floats.worst << ", mean " << floats.mean << ", worst of 8 bit "
+              << bytes.worst * 255 << " codes, " << 256 * 256 - compared << " of 65536 pixels masked\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(r146, ThreeJs,
+                         testing::Values("s01_dark", "s02_directional", "s03_point_decay0",
+                                         "s04_point_decay2", "s05_point_decay1", "s06_dir_point",
+                                         "s07_ambient", "s08_lez04"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace

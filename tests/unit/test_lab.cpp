@@ -1,0 +1,146 @@
+// What the lab does with a scene before it is drawn: orbit, jitter, bringing into view, the equation's text.
+// SPDX-License-Identifier: MIT
+#include "lab/equation.hpp"
+#include "lab/jitter.hpp"
+#include "lab/orbit.hpp"
+#include "lab/stats.hpp"
+#include "lab/view.hpp"
+#include "three/three.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace {
+
+using lighting::Term;
+using lighting::TermSet;
+using THREE::Vector3;
+
+void expectNear(const Vector3& found, const Vector3& expected, double bound = 1e-12) {
+    EXPECT_NEAR(found.x, expected.x, bound);
+    EXPECT_NEAR(found.y, expected.y, bound);
+    EXPECT_NEAR(found.z, expected.z, bound);
+}
+
+TEST(Orbit, TurnsAboutTheTargetAsTheMouseMoves) {
+    THREE::PerspectiveCamera camera;
+    camera.position.set(1, 2, 8);
+    lab::Orbit orbit(camera, {1, 2, 3});
+    orbit.rotate(0.25, 0);  // a quarter of a circle to the right: the camera goes left
+    expectNear(camera.position, {-4, 2, 3});
+    orbit.rotate(0, 0.25);  // the mouse down: the camera up
+    EXPECT_GT(camera.position.y, 2 + 3);
+    EXPECT_NEAR(orbit.distance(), 5, 1e-12);
+    orbit.rotate(0, 10);  // never over the pole
+    expectNear(camera.position, {1, 7, 3}, 1e-2);
+    orbit.reset();
+    expectNear(camera.position, {1, 2, 8}, 0);
+}
+
+TEST(Orbit, ZoomsWithinBoundsAndPans) {
+    THREE::PerspectiveCamera camera(90, 1, 0.1, 100);
+    camera.position.set(0, 0, 10);
+    lab::Orbit orbit(camera, {});
+    orbit.zoom(1);
+    EXPECT_NEAR(camera.position.z, 9.5, 1e-12);
+    orbit.zoom(1e9);
+    EXPECT_GT(orbit.distance(), 0.1);
+    orbit.zoom(-1e9);
+    EXPECT_LT(orbit.distance(), 100);
+    orbit.reset();
+    orbit.pan(0.5, 0);  // half the height at 90 degrees: 10 units at distance 10
+    expectNear(orbit.target(), {-10, 0, 0});
+    expectNear(camera.position, {-10, 0, 10});
+}
+
+TEST(Jitter, MovesALittleTheSameEachTimeAndBackAgain) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::Mesh mesh(box);
+    THREE::PointLight light;
+    light.position.set(2, 1.5, 5);
+    scene.add(mesh, light);
+    THREE::PerspectiveCamera camera;
+    camera.position.set(0, 1, 5);
+    std::vector<Vector3> places[3];
+    for (const auto& [run, seed] : {std::pair{0, 7U}, std::pair{1, 7U}, std::pair{2, 8U}}) {
+        lab::Jitter jitter(seed);
+        jitter.apply(scene, camera, {});
+        places[run] = {mesh.position, light.position, camera.position};
+        EXPECT_NE(mesh.quaternion.w, 1);
+        jitter.undo();
+        expectNear(mesh.position, {}, 0);
+        expectNear(light.position, {2, 1.5, 5}, 0);
+        EXPECT_EQ(mesh.quaternion.w, 1);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        expectNear(places[0][i], places[1][i], 0);
+        EXPECT_FALSE(places[0][i] == places[2][i]);
+    }
+    EXPECT_LT(Vector3(places[0][1]).sub({2, 1.5, 5}).length(), 1);
+    EXPECT_GT(Vector3(places[0][1]).sub({2, 1.5, 5}).length(), 1e-3);
+}
+
+TEST(View, BringsAnySceneIntoView) {
+    for (const double size : {1e-6, 1.0, 1e6}) {
+        THREE::Scene scene;
+        THREE::SphereGeometry geometry(size);
+        THREE::Mesh ball(geometry);
+        ball.position.set(100 * size, -30 * size, 7 * size);
+        scene.add(ball);
+        scene.updateMatrixWorld();
+        THREE::PerspectiveCamera camera(40);
+        lab::bringIntoView(camera, scene);
+        camera.updateWorldMatrix();
+        const glm::dmat4 toClip = camera.projectionMatrix().elements * camera.matrixWorldInverse().elements;
+        for (const double y : {-1.0, 0.0, 1.0}) {
+            const glm::dvec4 clip = toClip * glm::dvec4(100 * size, (-30 + y) * size, 7 * size, 1);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_LT(std::abs(clip[i]), clip.w);
+        }
+    }
+    const THREE::Scene empty;
+    EXPECT_EQ(lab::worldBounds(empty).radius, 0);
+}
+
+TEST(Equation, SaysWhatIsLeft) {
+    EXPECT_EQ(lab::equationText(TermSet::all()), "P = Σ max(0, n·ω) f(d) D ⊗ L + D ⊗ L_A");
+    EXPECT_EQ(lab::equationText(TermSet::none()), "P = 0");
+    EXPECT_EQ(lab::equationText(TermSet::all().without(Term::clamp).without(Term::ambient)),
+              "P = Σ (n·ω) f(d) D ⊗ L");
+    EXPECT_EQ(lab::equationText(TermSet::all().without(Term::albedo).without(Term::point)),
+              "P = Σdir max(0, n·ω) f(d) 1 ⊗ L + 1 ⊗ L_A");
+}
+
+TEST(Equation, ItsSymbolsFollowTheTerms) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::MeshLambertMaterial material(THREE::Color(0xFF8855));
+    THREE::Mesh mesh(box, material);
+    THREE::DirectionalLight sun;
+    scene.add(mesh, sun);
+    THREE::PerspectiveCamera camera;
+    camera.position.z = 5;
+    scene.updateMatrixWorld();
+    camera.updateWorldMatrix();
+    const lighting::FramePlan plan = lighting::planFrame(scene, camera, {});
+    const auto stateOf = [&plan](Term term, TermSet on) {
+        for (const lab::Symbol& symbol : lab::equation(on, plan))
+            if (symbol.term == term)
+                return symbol.state;
+        return lab::SymbolState::plain;
+    };
+    EXPECT_EQ(stateOf(Term::cosine, TermSet::all()), lab::SymbolState::active);
+    EXPECT_EQ(stateOf(Term::cosine, TermSet::all().without(Term::cosine)), lab::SymbolState::off);
+    EXPECT_EQ(stateOf(Term::ambient, TermSet::all()), lab::SymbolState::idle);
+}
+
+TEST(Stats, TheClockOfTheProcessRuns) {
+    const double first = lab::millisecondsSinceProcessStart();
+    EXPECT_GT(first, -20);
+    EXPECT_LT(first, 600'000);
+    EXPECT_GE(lab::millisecondsSinceProcessStart(), first);
+}
+
+}  // namespace
