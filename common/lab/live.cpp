@@ -91,6 +91,8 @@ class Live {
         } else if (key == ' ' && view_.animated()) {
             playing_ = !playing_;
             last_ = Clock::now();
+        } else if (key == 'H') {
+            legend_ = !legend_;
         } else if (key == keyF2) {
             writePictureBeside();
         } else if (key == keyEscape) {
@@ -132,6 +134,9 @@ class Live {
         Panel panel;
         for (const Symbol& symbol : equation(terms_, full))
             panel.equation.push_back({symbol.text, tone(symbol.state)});
+        panel.message = message_;
+        if (!legend_)
+            return panel;
         for (const lighting::TermInfo& row : lighting::terms())
             panel.rows.push_back(termRow(row, full));
         panel.rows.emplace_back();
@@ -139,8 +144,6 @@ class Live {
             panel.rows.push_back({{tell(help), Tone::plain}});
         if (view_.animated())
             panel.rows.push_back({{tell(animationHelp), Tone::plain}});
-        if (!message_.empty())
-            panel.rows.push_back({{message_, Tone::title}});
         return panel;
     }
 
@@ -180,6 +183,7 @@ class Live {
     std::string message_;
     int redraws_ = 2;
     bool playing_ = false;
+    bool legend_ = true;
     bool leave_ = false;
     Clock::time_point last_;
 };

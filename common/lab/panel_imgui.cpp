@@ -14,7 +14,7 @@ namespace {
 
 // Debian's fonts-dejavu-core; without it ImGui's own font draws the letters, and question marks for Greek ones.
 constexpr const char* fontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float fontSize = 17;
+constexpr float fontSize = 15;
 constexpr float equationFontSize = 26;
 
 ImVec4 color(Tone tone) {
@@ -56,6 +56,18 @@ void drawLine(const std::vector<Span>& spans) {
         ImGui::NewLine();
 }
 
+// A box of text at `place`; `pivot` is the corner of the box that stands there.
+template <class Content>
+void box(const char* name, ImVec2 place, ImVec2 pivot, const Content& content) {
+    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
+    ImGui::SetNextWindowBgAlpha(0.72F);
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings;
+    ImGui::Begin(name, nullptr, flags);
+    content();
+    ImGui::End();
+}
+
 // ImGui loads libGL by itself and leaves errors on ES contexts that are not ours to report.
 void drainErrors() {
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
@@ -92,17 +104,19 @@ void PanelDrawer::draw(const Panel& panel) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    ImGui::SetNextWindowPos({10, 10});
-    ImGui::SetNextWindowBgAlpha(0.72F);
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings;
-    ImGui::Begin("panel", nullptr, flags);
-    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
-    drawLine(panel.equation);
-    ImGui::PopFont();
-    for (const std::vector<Span>& row : panel.rows)
-        drawLine(row);
-    ImGui::End();
+    box("equation", {10, 10}, {0, 0}, [&panel] {
+        ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+        drawLine(panel.equation);
+        ImGui::PopFont();
+        if (!panel.message.empty())
+            drawSpan({panel.message, Tone::title});
+    });
+    const float bottom = ImGui::GetIO().DisplaySize.y - 10;
+    if (!panel.rows.empty())
+        box("legend", {10, bottom}, {0, 1}, [&panel] {
+            for (const std::vector<Span>& row : panel.rows)
+                drawLine(row);
+        });
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     drainErrors();

@@ -19,8 +19,9 @@ struct Span {
 
 /// What stands on the panel: plain text, so that another front end could draw it too.
 struct Panel {
-    std::vector<Span> equation;  ///< left to right
-    std::vector<std::vector<Span>> rows;  ///< below it, a line each
+    std::vector<Span> equation;  ///< at the top, left to right
+    std::string message;  ///< below the equation, may be empty
+    std::vector<std::vector<Span>> rows;  ///< in the lower left corner, a line each; may be empty
 };
 
 /// What the user did.

@@ -14,6 +14,7 @@ namespace render {
 GlRenderer::GlRenderer(std::string shaderDirectory) : programs_(std::move(shaderDirectory)) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
+    glDisable(GL_DITHER);  // a code is the equation's value rounded, nothing else
 }
 
 std::string GlRenderer::name() const {

@@ -77,8 +77,8 @@ void Matrix4::decompose(Vector3& position, Quaternion& quaternion, Vector3& scal
     completeFrame(axis);
     const glm::dmat3 rotation{glm::dvec3(axis[0]), glm::dvec3(axis[1]), glm::dvec3(axis[2])};
     position = this->position();
-    quaternion =
-        Quaternion().setFromRotationMatrix(glm::dmat4(rotation)).normalize();  // sheared: not unit yet
+    // Axes that are not at right angles (shear) give a quaternion that is not of unit length.
+    quaternion = Quaternion().setFromRotationMatrix(glm::dmat4(rotation)).normalize();
 }
 
 double Matrix4::determinant() const { return glm::determinant(elements); }

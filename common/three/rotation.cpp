@@ -12,8 +12,8 @@ Vector3& Vector3::normalize() {
     const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
     if (!(largest > 0))
         return *this;
-    set(x / largest, y / largest,
-        z / largest);  // not times 1/largest, which is infinite for the smallest doubles
+    // Divided, not times 1/largest, which is infinite for the smallest doubles.
+    set(x / largest, y / largest, z / largest);
     return multiplyScalar(1 / std::sqrt(lengthSq()));
 }
 

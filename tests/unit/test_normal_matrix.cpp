@@ -28,8 +28,7 @@ const std::vector<glm::dvec3> normals = {
     {1e-3, 1, 1e-3}, {4, -5, -0.1},  {-0.2, -0.1, -3},  {2, -0.5, 0.7}, {-0.9, 0.1, -0.4}};
 
 // Two tangents of the surface are transformed as points are, and their cross product is the new normal, turned round
-// by a mirror. Columns are first divided by their lengths, which only changes how long the tangents' parts are:
-// (M t) with t given in the scaled columns. Long double carries 11 more bits and exponents to 1e4932.
+// by a mirror. Long double carries 11 more bits and exponents to 1e4932, so that no scaling is needed.
 Vec expectedNormal(const glm::dmat4& model, const glm::dvec3& normal) {
     const Mat m{Vec(glm::dvec3(model[0])), Vec(glm::dvec3(model[1])), Vec(glm::dvec3(model[2]))};
     const Vec n = glm::normalize(Vec(normal));
@@ -161,8 +160,8 @@ TEST(NormalMatrix, M13NestedTwoSmallAxes) {
     expectNormals(nested({1e-4, -1e-4, 1}), 1e-4L);
 }
 
-// Harder than the suite, whose bounds are a float's: cofactors with two roundings each would be 6e-7 degrees off here,
-// and the sign of their determinant chance. Long double still is good for 3e-10.
+// Harder than the suite, whose bounds are a float's: cofactors with two roundings each would miss this bound,
+// and further on the sign of their determinant. Long double still is good for 3e-10 degrees.
 TEST(NormalMatrix, NestedTwoMinuteAxesNeedExactProducts) {
     expectNormals(nested({1, 1e-8, 1e-8}), 1e-8L);
     expectNormals(nested({1e-8, 1, -1e-8}), 1e-8L);

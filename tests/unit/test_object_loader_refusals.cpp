@@ -144,6 +144,11 @@ TEST(ObjectLoaderRefusals, sayWhatIsWrongWithGeometries) {
         {geometry(R"("type":"SphereGeometry","widthSegments":1e9)"), "geometries[0]: "},
         {geometry(R"("type":"CylinderGeometry","openEnded":1)"),
          "geometries[0].openEnded: expected true or false"},
+    });
+}
+
+TEST(ObjectLoaderRefusals, sayWhatIsWrongWithAttributes) {
+    expectAll({
         {attribute(R"("itemSize":0,"type":"Float32Array","array":[])"),
          "geometries[0].data.attributes.position.itemSize: expected a whole number from 1 to 16, found the "
          "number 0"},
@@ -175,6 +180,11 @@ TEST(ObjectLoaderRefusals, sayWhatIsWrongWithGeometries) {
         {geometry(R"("type":"BufferGeometry","data":{"attributes":{)" + position +
                   R"(,"normal":{"itemSize":3,"type":"Float32Array","array":[0,0,1]}}})"),
          "geometries[0].data.attributes.normal: expected as many vertices as position has, 3, found 1"},
+    });
+}
+
+TEST(ObjectLoaderRefusals, sayWhatIsWrongWithIndices) {
+    expectAll({
         {data(R"("index":{"type":"Uint16Array","array":[0,1,3]})"),
          "geometries[0].data.index.array[2]: expected the number of a vertex, below 3, found the number 3"},
         {data(R"("index":{"type":"Uint16Array","array":[0,1,-1]})"), "geometries[0].data.index.array[2]"},
@@ -225,7 +235,6 @@ TEST(ObjectLoaderRefusals, sayWhatIsWrongWithMaterials) {
 }
 
 TEST(ObjectLoaderRefusals, sayWhatIsWrongWithObjects) {
-    const std::string light = R"({"type":"DirectionalLight","target":)";
     expectAll({
         {scene(R"({"type":"Mesh","material":"m"})"),
          "object.children[0].geometry: expected the uuid of a geometry, found nothing"},
@@ -243,6 +252,11 @@ TEST(ObjectLoaderRefusals, sayWhatIsWrongWithObjects) {
          "object.children[0].material: several materials"},
         {scene(R"({"type":"Mesh","geometry":"g","material":"m","morphTargetInfluences":[0,1]})"),
          "object.children[0].morphTargetInfluences[1]: morph targets"},
+    });
+}
+
+TEST(ObjectLoaderRefusals, sayWhichClassesAreNotSupported) {
+    expectAll({
         {scene(R"({"type":"SpotLight"})"), "object.children[0]: SpotLight is not supported"},
         {scene(R"({"type":"HemisphereLight","color":0})"),
          "object.children[0]: HemisphereLight is not supported"},
@@ -253,6 +267,12 @@ TEST(ObjectLoaderRefusals, sayWhatIsWrongWithObjects) {
         {scene(R"({"type":"InstancedMesh","count":2})"),
          "object.children[0]: InstancedMesh is not supported"},
         {scene(R"({"type":"mesh"})"), "object.children[0]: mesh is not supported"},
+    });
+}
+
+TEST(ObjectLoaderRefusals, sayWhatIsWrongWithCamerasLightsAndPlaces) {
+    const std::string light = R"({"type":"DirectionalLight","target":)";
+    expectAll({
         {scene(R"({"type":"OrthographicCamera"})"), "object: the only camera, object.children[0]"},
         {scene(R"({"type":"PerspectiveCamera","filmOffset":1})"),
          "object.children[0].filmOffset: expected 0"},
@@ -279,6 +299,11 @@ TEST(ObjectLoaderRefusals, sayWhatIsWrongWithObjects) {
         {scene(light + "7}"), "object.children[0].target: expected a text"},
         {scene(light + R"("t"},{"type":"Group","uuid":"t"},{"type":"Group","uuid":"t"})"),
          "object.children[0].target: expected the uuid of one object, found \"t\"; 2 objects have it"},
+    });
+}
+
+TEST(ObjectLoaderRefusals, sayWhatIsWrongWithTheScene) {
+    expectAll({
         {scene(mesh, triangle, lambert, R"(,"fog":{"type":"Fog"})"), "object.fog: fog is not supported"},
         {scene(mesh, triangle, lambert, R"(,"background":"t")"),
          "object.background: expected a colour, found \"t\""},
