@@ -14,8 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Pixel values to compare. Two frames of codes are compared as whole numbers and divided afterwards, so that one code
-// is 1.0 / 255 exactly everywhere and a threshold of one code means what it says.
+// Pixel values to compare. Two frames of codes are compared as whole numbers and divided afterwards, so that
+// one code is 1.0 / 255 exactly everywhere and a threshold of one code means what it says.
 struct Values {
     Floats expected;
     Floats found;
@@ -56,17 +56,29 @@ void checkPair(const Frame& expected, const Frame& found) {
     }
 }
 
+std::size_t pixelsOf(const Frame& frame) {
+    return static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+}
+
+void checkMask(std::span<const std::uint8_t> mask, const Frame& frame) {
+    const std::size_t count = pixelsOf(frame);
+    if (!mask.empty() && mask.size() != count) {
+        throw Error("the mask has " + std::to_string(mask.size()) + " entries; expected none or " +
+                    std::to_string(count) + ", one a pixel; make it for frames of " + sizeOf(frame));
+    }
+    const auto chosen = [](std::uint8_t entry) { return entry != 0; };
+    if (!mask.empty() && std::none_of(mask.begin(), mask.end(), chosen)) {
+        throw Error("the mask leaves no pixel to compare; expected at least one; check what it masks");
+    }
+}
+
 }  // namespace
 
 Difference compare(const Frame& expected, const Frame& found, double threshold,
                    std::span<const std::uint8_t> mask) {
     checkPair(expected, found);
-    const std::size_t count =
-        static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height);
-    if (!mask.empty() && mask.size() != count) {
-        throw Error("the mask has " + std::to_string(mask.size()) + " entries; expected none or " +
-                    std::to_string(count) + ", one a pixel; make it for frames of " + sizeOf(expected));
-    }
+    const std::size_t count = pixelsOf(expected);
+    checkMask(mask, expected);
     const Values values(expected, found);
     Difference result;
     double sum = 0;
@@ -96,9 +108,6 @@ Difference compare(const Frame& expected, const Frame& found, double threshold,
             result.worst = largest;
         }
     }
-    if (result.pixels == 0) {
-        throw Error("the mask leaves no pixel to compare; expected at least one; check what it masks");
-    }
     result.mean = sum / (3.0 * static_cast<double>(result.pixels));
     result.rms = std::sqrt(squares / (3.0 * static_cast<double>(result.pixels)));
     result.psnr = -20 * std::log10(result.rms);
@@ -111,7 +120,7 @@ Difference compare(const Frame& expected, const Frame& found, double threshold,
     return result;
 }
 
-void writeDifferencePicture(const std::string& path, const Frame& expected, const Frame& found, double gain) {
+void writeDifferencePicture(const std::string& path, const Frame& expected, const Frame& found, float gain) {
     checkPair(expected, found);
     const Floats a = toFloats(expected);
     const Floats b = toFloats(found);
@@ -128,8 +137,7 @@ void writeDifferencePicture(const std::string& path, const Frame& expected, cons
         const std::size_t left = (pixel / width) * width * 3 + pixel % width;
         std::array<float, 3> difference = {};
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            difference[channel] = static_cast<float>(
-                gain * std::abs(static_cast<double>(a[i + channel]) - static_cast<double>(b[i + channel])));
+            difference[channel] = gain * std::abs(a[i + channel] - b[i + channel]);
         }
         put(left, {a[i], a[i + 1], a[i + 2]});
         put(left + width, {b[i], b[i + 1], b[i + 2]});

@@ -12,7 +12,8 @@
 
 namespace image {
 
-// Everything that goes wrong with a picture. what() says where, what was expected and found, and what to do next.
+// Everything that goes wrong with a picture. what() says where, what was expected and found, and what to do
+// next.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -28,8 +29,8 @@ struct Frame {
     std::variant<Floats, Bytes> pixels;
 };
 
-// Ordered pairs of a key (lesson, terms, renderer, version) and its value in UTF-8.
-// A key is 1 to 79 of the characters A-Z a-z 0-9 _ - . and a value holds no NUL: that is what every format can keep.
+// Ordered pairs of a key (lesson, terms, renderer, version) and its value in UTF-8. A key is 1 to 79 of the
+// characters A-Z a-z 0-9 _ - . and a value holds no NUL: that is what every format can keep.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 // Throws Error unless both sizes are at least 1 and pixels holds width * height * 3 numbers.
@@ -38,8 +39,8 @@ void check(const Frame& frame);
 // The frame's values as floats; a code c becomes the float nearest to c / 255.
 Floats toFloats(const Frame& frame);
 
-// The frame's codes; a float is clamped to [0,1] and 255 times it rounded, halves to even. A NaN throws Error, which
-// names the first such pixel; infinities clamp as other numbers do.
+// The frame's codes; a float is clamped to [0,1] and 255 times it rounded, halves to even. A NaN throws
+// Error, which names the first such pixel; infinities clamp as other numbers do.
 Bytes toBytes(const Frame& frame);
 
 // "R", "G" or "B", for messages; channel is 0, 1 or 2.

@@ -17,8 +17,8 @@ namespace image {
 namespace {
 
 constexpr int largestRead = 16384;
-constexpr int largestWritten =
-    65500;  // beyond it the JPEG writer ends the process and GIF's wraps the size around
+// Beyond it the JPEG writer ends the process, and the GIF writer keeps 16 bits of the size.
+constexpr int largestWritten = 65500;
 
 // One text for the formats that have no named texts of their own.
 std::string description(const Metadata& metadata) {
@@ -53,14 +53,14 @@ void encode(const std::string& extension, const Frame& frame, const Metadata& me
             "the frame is larger than " + std::to_string(largestWritten) +
             " one way; expected a size that most formats hold; write .png or .exr, or make it smaller");
     }
-    OIIO::Filesystem::IOVecOutput memory(
-        encoded);  // outlives the output, which may write when it is destroyed
+    // Outlives the output, which may write when it is destroyed.
+    OIIO::Filesystem::IOVecOutput memory(encoded);
     const std::unique_ptr<OIIO::ImageOutput> output = createOutput(extension);
     output->set_ioproxy(&memory);
     const bool bytes = std::holds_alternative<Bytes>(frame.pixels);
     OIIO::ImageSpec spec(frame.width, frame.height, 3, bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-    spec.attribute("DateTime",
-                   "1970:01:01 00:00:00");  // else the clock's: the same frame gives the same bytes
+    // Without one the clock's is written: the same frame gives the same bytes.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (!metadata.empty()) {
         spec.attribute("ImageDescription", description(metadata));
     }
@@ -68,7 +68,8 @@ void encode(const std::string& extension, const Frame& frame, const Metadata& me
     if (!output->open("frame" + extension, spec)) {
         throw Error(says(output->geterror()) + next);
     }
-    // The plugin has replaced a type that its format cannot hold. Whole numbers hold no NaN: toBytes refuses it.
+    // The plugin has replaced a type that its format cannot hold. Whole numbers hold no NaN: toBytes refuses
+    // it.
     const OIIO::TypeDesc held = output->spec().format;
     const Bytes codes = held.is_floating_point() && !bytes ? Bytes() : toBytes(frame);
     const bool written =
@@ -157,8 +158,8 @@ Frame readFrame(const std::string& path) {
         const OIIO::ImageSpec spec = input->spec();
         checkReadable(spec);
         Frame frame = {spec.width, spec.height, {}};
-        if (spec.format ==
-            OIIO::TypeDesc::UINT8) {  // divided by us: OpenImageIO multiplies by a rounded 1/255
+        // Codes are divided by us: OpenImageIO multiplies them by a rounded 1/255.
+        if (spec.format == OIIO::TypeDesc::UINT8) {
             frame.pixels = readPixels<std::uint8_t>(*input, spec, OIIO::TypeDesc::UINT8);
             frame.pixels = toFloats(frame);
         } else {

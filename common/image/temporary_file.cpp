@@ -15,8 +15,8 @@ namespace image {
 
 namespace {
 
-// Process id and counter keep apart the processes and threads that write to one directory. The name does not grow from
-// the target's, which may already be as long as names can be.
+// Process id and counter keep apart the processes and threads that write to one directory. The name does not
+// grow from the target's, which may already be as long as names can be.
 std::filesystem::path uniqueName(const std::filesystem::path& directory) {
     static std::atomic<unsigned> counter = 0;
     const std::string number = std::to_string(counter.fetch_add(1));

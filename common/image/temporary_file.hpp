@@ -18,7 +18,6 @@ class TemporaryFile {
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     std::FILE* stream() const { return stream_; }  // binary, for writing, from its beginning
-    const std::filesystem::path& name() const { return name_; }
 
     // Flushes, closes and renames to target, replacing what stood there. Throws Error if any of that fails.
     void commit();

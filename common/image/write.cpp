@@ -1,4 +1,4 @@
-// Chooses the format, checks the target, and loads the OpenImageIO module when no format of ours is asked for.
+// Chooses the format, checks the target, and loads the OpenImageIO module if the format is none of ours.
 // SPDX-License-Identifier: MIT
 #include "image/write.hpp"
 
@@ -45,9 +45,9 @@ fs::path findTarget(const std::string& path) {
 std::string lowerExtension(const std::string& path) {
     std::string extension = fs::path(path).extension().string();
     if (extension.size() < 2) {
-        throw Error("the name has no extension, which chooses the format; expected a name such as frame.png, "
-                    ".exr, .tif, .jpg "
-                    "or .hdr; add one");
+        throw Error(
+            "the name has no extension, which chooses the format; expected .png, .exr, .tif, .jpg, .hdr or "
+            "another that OpenImageIO writes; add one");
     }
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

@@ -24,10 +24,10 @@ enum Status { done = 0, noRenderer = 3, unusableScene = 4, cannotWrite = 5 };
 
 // Runs `work`; whatever goes wrong becomes one message and the status that the command line promises.
 template <class Work>
-int guarded(const std::string& lesson, const Work& work) {
-    const auto failed = [&lesson](const std::string& message, Status status) {
+int guarded(const std::string& who, const Work& work) {
+    const auto failed = [&who](const std::string& message, Status status) {
         std::cout.flush();
-        std::cerr << lesson << ": " << message << std::endl;
+        std::cerr << who << ": " << message << std::endl;
         return status;
     };
     try {
@@ -69,7 +69,9 @@ App::App(int argc, char** argv, const std::string& lesson)
     : options_(readOptions(argc, argv, lesson, lesson == "scene_viewer")) {}
 
 int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {
-    const int status = guarded(options_.lesson, [&] {
+    // What is wrong with a scene file is said with its name.
+    const std::string who = options_.lesson + (options_.sceneFile.empty() ? "" : ": " + options_.sceneFile);
+    const int status = guarded(who, [&] {
         View view(scene, camera, animation, options_);
         show(view, options_);
     });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 namespace THREE {
@@ -23,76 +24,56 @@ struct Parameter {
 
 struct Parametric {
     const char* type;
-    std::vector<Parameter> parameters;
+    std::span<const Parameter> parameters;  // in the order of the constructor
     Made (*make)(const Values& v);
 };
 
-const std::vector<Parametric>& table() {
-    static const std::vector<Parametric> all = {
-        {"BoxGeometry",
-         {{"width", 1},
-          {"height", 1},
-          {"depth", 1},
-          {"widthSegments", 1},
-          {"heightSegments", 1},
-          {"depthSegments", 1}},
-         [](const Values& v) -> Made {
-             return std::make_shared<BoxGeometry>(v[0], v[1], v[2], v[3], v[4], v[5]);
-         }},
-        {"SphereGeometry",
-         {{"radius", 1},
-          {"widthSegments", 32},
-          {"heightSegments", 16},
-          {"phiStart", 0},
-          {"phiLength", 2 * pi},
-          {"thetaStart", 0},
-          {"thetaLength", pi}},
-         [](const Values& v) -> Made {
-             return std::make_shared<SphereGeometry>(v[0], v[1], v[2], v[3], v[4], v[5], v[6]);
-         }},
-        {"PlaneGeometry",
-         {{"width", 1}, {"height", 1}, {"widthSegments", 1}, {"heightSegments", 1}},
-         [](const Values& v) -> Made { return std::make_shared<PlaneGeometry>(v[0], v[1], v[2], v[3]); }},
-        {"TorusGeometry",
-         {{"radius", 1}, {"tube", 0.4}, {"radialSegments", 8}, {"tubularSegments", 6}, {"arc", 2 * pi}},
-         [](const Values& v) -> Made {
-             return std::make_shared<TorusGeometry>(v[0], v[1], v[2], v[3], v[4]);
-         }},
-        {"TorusKnotGeometry",
-         {{"radius", 1}, {"tube", 0.4}, {"tubularSegments", 64}, {"radialSegments", 8}, {"p", 2}, {"q", 3}},
-         [](const Values& v) -> Made {
-             return std::make_shared<TorusKnotGeometry>(v[0], v[1], v[2], v[3], v[4], v[5]);
-         }},
-        {"CylinderGeometry",
-         {{"radiusTop", 1},
-          {"radiusBottom", 1},
-          {"height", 1},
-          {"radialSegments", 8},
-          {"heightSegments", 1},
-          {"openEnded", 0},
-          {"thetaStart", 0},
-          {"thetaLength", 2 * pi}},
-         [](const Values& v) -> Made {
-             return std::make_shared<CylinderGeometry>(v[0], v[1], v[2], v[3], v[4], v[5] != 0, v[6], v[7]);
-         }},
-        // A cone is a cylinder with nothing on top: the same vertices as three.js's own ConeGeometry.
-        {"ConeGeometry",
-         {{"radius", 1},
-          {"height", 1},
-          {"radialSegments", 8},
-          {"heightSegments", 1},
-          {"openEnded", 0},
-          {"thetaStart", 0},
-          {"thetaLength", 2 * pi}},
-         [](const Values& v) -> Made {
-             return std::make_shared<CylinderGeometry>(0, v[0], v[1], v[2], v[3], v[4] != 0, v[5], v[6]);
-         }},
-    };
-    return all;
+constexpr Parameter box[] = {{"width", 1},         {"height", 1},         {"depth", 1},
+                             {"widthSegments", 1}, {"heightSegments", 1}, {"depthSegments", 1}};
+constexpr Parameter sphere[] = {{"radius", 1},      {"widthSegments", 32}, {"heightSegments", 16},
+                                {"phiStart", 0},    {"phiLength", 2 * pi}, {"thetaStart", 0},
+                                {"thetaLength", pi}};
+constexpr Parameter plane[] = {{"width", 1}, {"height", 1}, {"widthSegments", 1}, {"heightSegments", 1}};
+constexpr Parameter torus[] = {
+    {"radius", 1}, {"tube", 0.4}, {"radialSegments", 8}, {"tubularSegments", 6}, {"arc", 2 * pi}};
+constexpr Parameter torusKnot[] = {{"radius", 1},         {"tube", 0.4}, {"tubularSegments", 64},
+                                   {"radialSegments", 8}, {"p", 2},      {"q", 3}};
+constexpr Parameter cylinder[] = {{"radiusTop", 1},      {"radiusBottom", 1},    {"height", 1},
+                                  {"radialSegments", 8}, {"heightSegments", 1},  {"openEnded", 0},
+                                  {"thetaStart", 0},     {"thetaLength", 2 * pi}};
+constexpr Parameter cone[] = {{"radius", 1},          {"height", 1},    {"radialSegments", 8},
+                              {"heightSegments", 1},  {"openEnded", 0}, {"thetaStart", 0},
+                              {"thetaLength", 2 * pi}};
+
+Made makeBox(const Values& v) { return std::make_shared<BoxGeometry>(v[0], v[1], v[2], v[3], v[4], v[5]); }
+Made makeSphere(const Values& v) {
+    return std::make_shared<SphereGeometry>(v[0], v[1], v[2], v[3], v[4], v[5], v[6]);
+}
+Made makePlane(const Values& v) { return std::make_shared<PlaneGeometry>(v[0], v[1], v[2], v[3]); }
+Made makeTorus(const Values& v) { return std::make_shared<TorusGeometry>(v[0], v[1], v[2], v[3], v[4]); }
+Made makeTorusKnot(const Values& v) {
+    return std::make_shared<TorusKnotGeometry>(v[0], v[1], v[2], v[3], v[4], v[5]);
+}
+Made makeCylinder(const Values& v) {
+    return std::make_shared<CylinderGeometry>(v[0], v[1], v[2], v[3], v[4], v[5] != 0, v[6], v[7]);
+}
+// A cone is a cylinder with nothing on top: the same vertices as three.js's own ConeGeometry.
+Made makeCone(const Values& v) {
+    return std::make_shared<CylinderGeometry>(0, v[0], v[1], v[2], v[3], v[4] != 0, v[5], v[6]);
 }
 
+constexpr Parametric table[] = {
+    {"BoxGeometry", box, makeBox},
+    {"SphereGeometry", sphere, makeSphere},
+    {"PlaneGeometry", plane, makePlane},
+    {"TorusGeometry", torus, makeTorus},
+    {"TorusKnotGeometry", torusKnot, makeTorusKnot},
+    {"CylinderGeometry", cylinder, makeCylinder},
+    {"ConeGeometry", cone, makeCone},
+};
+
 const Parametric* find(const std::string& type) {
-    for (const Parametric& candidate : table())
+    for (const Parametric& candidate : table)
         if (type == candidate.type)
             return &candidate;
     return nullptr;

@@ -25,7 +25,8 @@ class Euler {
     Euler() = default;
     Euler(double x_, double y_, double z_, EulerOrder order = EulerOrder::XYZ)
         : x(x_), y(y_), z(z_), order_(order) {}
-    Euler(const Euler& other) = default;
+    /// A copy has the same angles and tells nobody.
+    Euler(const Euler& other) : Euler(other.x, other.y, other.z, other.order_) {}
     Euler& operator=(const Euler& other) { return set(other.x, other.y, other.z, other.order_); }
 
     Euler& set(double x_, double y_, double z_) { return set(x_, y_, z_, order_); }
@@ -56,7 +57,8 @@ class Quaternion {
     Quaternion() = default;
     Quaternion(double x_, double y_, double z_, double w_) : x(x_), y(y_), z(z_), w(w_) {}
     Quaternion(const glm::dquat& q) : Quaternion(q.x, q.y, q.z, q.w) {}
-    Quaternion(const Quaternion& other) = default;
+    /// A copy has the same numbers and tells nobody.
+    Quaternion(const Quaternion& other) : Quaternion(other.x, other.y, other.z, other.w) {}
     Quaternion& operator=(const Quaternion& other) { return set(other.x, other.y, other.z, other.w); }
     operator glm::dquat() const { return {double(w), double(x), double(y), double(z)}; }
 

@@ -40,8 +40,8 @@ TEST_P(ThreeJs, TheSameFrame) {
 
     const image::Difference floats =
         image::compare(expected, image::readFrame(directory.file("f.exr")), 1 / 255.0, away);
-    // Measured on llvmpipe: at most 4.2e-5 in all eight scenes (three.js's own error). The gate is 4 times that.
-    EXPECT_LT(floats.worst, 1.7e-4) << "pixel " << floats.x << ',' << floats.y;
+    // Measured on llvmpipe: 7.4e-6 in s03, less in all others. The gate is 4 times that.
+    EXPECT_LT(floats.worst, 3e-5) << "pixel " << floats.x << ',' << floats.y;
     EXPECT_EQ(floats.above, 0U);
 
     image::Frame codes = expected;
@@ -59,6 +59,6 @@ INSTANTIATE_TEST_SUITE_P(r146, ThreeJs,
                          testing::Values("s01_dark", "s02_directional", "s03_point_decay0",
                                          "s04_point_decay2", "s05_point_decay1", "s06_dir_point",
                                          "s07_ambient", "s08_lez04"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Unit tests of frames to files and back: exact values, top row first, metadata, and the same bytes each time.
+// Unit tests of frames to files and back: exact values, top row first, metadata, the same bytes each time.
 // SPDX-License-Identifier: MIT
 #include "image/compare.hpp"
 #include "image/oiio.hpp"

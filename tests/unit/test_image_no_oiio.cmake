@@ -33,9 +33,11 @@ expect("TIFF should load the module and OpenImageIO" found MATCHES "lambert_imag
 # A copy that does not find lib/ beside itself.
 file(COPY ${PROGRAM} DESTINATION ${DIRECTORY}/bin)
 get_filename_component(name ${PROGRAM} NAME)
-execute_process(COMMAND ${DIRECTORY}/bin/${name} ${DIRECTORY}/b.tif ERROR_VARIABLE found RESULT_VARIABLE status)
+execute_process(COMMAND ${DIRECTORY}/bin/${name} ${DIRECTORY}/b.tif
+    ERROR_VARIABLE found RESULT_VARIABLE status)
 expect("without the module TIFF should fail with status 5, not ${status}" status EQUAL 5)
-expect("the message should name the module" found MATCHES "b.tif.*liblambert_image_oiio.so.*write .png or .exr")
+expect("the message should name the module"
+    found MATCHES "b.tif.*liblambert_image_oiio.so.*write .png or .exr")
 
 file(GLOB left RELATIVE ${DIRECTORY} ${DIRECTORY}/* ${DIRECTORY}/.lambert*)
 list(JOIN left " " found)

@@ -1,4 +1,4 @@
-// The smallest program that links `image` and not OpenImageIO: writes a 2x2 frame to each path that it is given.
+// The smallest program that links `image` and not OpenImageIO: writes a 2x2 frame to each given path.
 // SPDX-License-Identifier: MIT
 #include "image/write.hpp"
 
