@@ -87,6 +87,10 @@ TEST_F(Image, MetadataComesBack) {
             EXPECT_EQ(std::count(read.begin(), read.end(), pair), 1) << name << " " << pair.first;
         }
     }
+    // What is beyond ASCII needs PNG's international chunk, as its plain one holds Latin-1.
+    EXPECT_NE(contents("a.png").find("iTXtrenderer"), std::string::npos);
+    EXPECT_NE(contents("a.png").find("tEXtlesson"), std::string::npos);
+
     image::write("a.tif", codes(), metadata);
     const std::pair<std::string, std::string> whole = {
         "ImageDescription",
@@ -103,8 +107,8 @@ TEST_F(Image, SameBytesLater) {
         }
     };
     writeAll("first");
-    std::this_thread::sleep_for(
-        std::chrono::milliseconds(1100));  // formats that note the time do so in seconds
+    // Formats that note the time do so in seconds.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     writeAll("second");
     for (const std::string& extension : extensions) {
         EXPECT_EQ(contents("first" + extension), contents("second" + extension)) << extension;

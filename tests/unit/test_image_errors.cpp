@@ -53,7 +53,7 @@ TEST_F(ImageErrors, PathsThatCannotBeWritten) {
     expectHas(errorOf("file/a.exr"), {"'file/a.exr'", "Not a directory"});
     expectHas(errorOf("pipe.png"), {"a device, a pipe or a socket", "expected a regular file"});
     expectHas(errorOf("link.png"), {"a device, a pipe or a socket"});
-    expectHas(errorOf("frame"), {"'frame'", "no extension", "frame.png", "add one"});
+    expectHas(errorOf("frame"), {"'frame'", "no extension", "expected .png", "add one"});
     expectHas(errorOf(".png"), {"no extension"});
     expectHas(errorOf("a."), {"no extension"});
     expectHas(errorOf("a.xyz"), {"'a.xyz'", "extension .xyz", ".tif", "choose one"});
