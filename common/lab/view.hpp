@@ -27,7 +27,11 @@ class View {
     const THREE::Scene& scene() const { return scene_; }
     const THREE::PerspectiveCamera& camera() const { return camera_; }
     bool animated() const { return animation_ != nullptr; }
-    Orbit& orbit() { return orbit_; }
+    /// For the mouse. Jitter is taken back first, so that a drag is not lost with it.
+    Orbit& orbit() {
+        jitter_.undo();
+        return orbit_;
+    }
 
   private:
     THREE::Scene& scene_;
