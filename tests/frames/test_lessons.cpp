@@ -133,6 +133,20 @@ TEST(Lessons, FormatsAgree) {
     EXPECT_LT(jpeg.mean, 0.03);
 }
 
+// What a frame does not need costs it nothing: OpenImageIO alone loads longer than the frame takes.
+TEST(Lessons, AFrameLoadsNoLibraryThatItDoesNotNeed) {
+    const TemporaryDirectory directory;
+    for (const char* file : {"a.png", "a.exr"}) {
+        const Outcome outcome =
+            support::run({"lesson_04_ambient", "--frame", file}, directory.path(), {{"LD_DEBUG", "libs"}});
+        ASSERT_EQ(outcome.status, 0);
+        ASSERT_NE(outcome.err.find("libEGL"), std::string::npos) << "the loader reports nothing";
+        for (const char* library :
+             {"OpenImageIO", "lambert_image_oiio", "lambert_window", "libglfw", "libtinyobj"})
+            EXPECT_EQ(outcome.err.find(library), std::string::npos) << library << " for " << file;
+    }
+}
+
 TEST(Lessons, DecayOverridesEveryPointLight) {
     EXPECT_EQ(worst(frameOf("lesson_04_ambient"), frameOf("lesson_04_ambient", {"--decay", "0"})), 0);
     EXPECT_GT(worst(frameOf("lesson_04_ambient"), frameOf("lesson_04_ambient", {"--decay", "2"})), 0.2);

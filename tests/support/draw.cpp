@@ -5,6 +5,7 @@
 #include "render/context.hpp"
 #include "render/gl_renderer.hpp"
 #include "render/shader_source.hpp"
+#include "three/object_loader.hpp"
 #include "three/validate.hpp"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,30 @@ glm::vec3 Drawn::at(int x, int y) const {
     return {floats()[first], floats()[first + 1], floats()[first + 2]};
 }
 
-Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
+namespace {
+
+render::GlRenderer& renderer() {
     static const render::HeadlessContext context;
-    static render::GlRenderer renderer(render::findShaderDirectory(""));
+    static render::GlRenderer one(render::findShaderDirectory(""));
+    return one;
+}
+
+// The same scene, written as three.js JSON and read again, must give the same bytes.
+void expectSameThroughJson(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                           const DrawOptions& options, const image::Frame& expected) {
+    THREE::LoadedScene loaded = THREE::ObjectLoader().parse(THREE::toJSON(scene, &camera), "scene.json");
+    ASSERT_NE(loaded.camera, nullptr);
+    loaded.scene->updateMatrixWorld();
+    THREE::validate(*loaded.scene, *loaded.camera);
+    const image::Frame found =
+        renderer().render(lighting::planFrame(*loaded.scene, *loaded.camera, options.settings),
+                          options.settings, {options.width, options.height, options.floats});
+    EXPECT_TRUE(found.pixels == expected.pixels) << "drawn through a scene file, the frame differs";
+}
+
+}  // namespace
+
+Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
     camera.aspect = static_cast<double>(options.width) / options.height;
     scene.updateMatrixWorld();
     camera.updateWorldMatrix();
@@ -26,13 +48,14 @@ Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOpti
     const render::FrameRequest request{options.width, options.height, options.floats};
     lighting::Settings settings = options.settings;
     settings.countNonfinite = true;
-    renderer.render(lighting::planFrame(scene, camera, settings), settings, request);
-    EXPECT_EQ(renderer.stats().nonfinite, 0) << "pixels met NaN or infinity";
+    renderer().render(lighting::planFrame(scene, camera, settings), settings, request);
+    EXPECT_EQ(renderer().stats().nonfinite, 0) << "pixels met NaN or infinity";
     settings.countNonfinite = options.settings.countNonfinite;
     Drawn drawn;
     drawn.plan = lighting::planFrame(scene, camera, settings);
-    drawn.frame = renderer.render(drawn.plan, settings, request);
-    drawn.stats = renderer.stats();
+    drawn.frame = renderer().render(drawn.plan, settings, request);
+    drawn.stats = renderer().stats();
+    expectSameThroughJson(scene, camera, options, drawn.frame);
     return drawn;
 }
 

@@ -29,7 +29,7 @@ struct Drawn {
 };
 
 /// Updates matrices, validates, plans and draws with one context for the whole test program. Every frame is also
-/// counted for NaN and infinity; a test fails if there are any.
+/// counted for NaN and infinity, and drawn again from the scene's JSON: a test fails if there are any, or if it differs.
 Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options = {});
 
 /// u, the unit roundoff of float: half the distance from 1 to the next float.
