@@ -12,7 +12,7 @@ using lighting::TermSet;
 struct Piece {
     const char* text;
     std::optional<Term> term;  // none: punctuation
-    std::optional<Term> with;  // punctuation that goes when this term is off
+    std::optional<Term> with;  // the addend that this piece belongs to
 };
 
 // In the order in which the lecture writes it; sums first, as in slide 42.
@@ -42,16 +42,16 @@ const Piece pieces[] = {
 
 std::vector<Symbol> equation(TermSet on, const lighting::FramePlan& full) {
     std::vector<Symbol> symbols;
+    const auto stateOf = [&](Term term) {
+        if (!on.has(term))
+            return SymbolState::off;
+        return lighting::idleReason(term, full).en != nullptr ? SymbolState::idle : SymbolState::active;
+    };
     for (const Piece& piece : pieces) {
-        Symbol symbol{piece.text, SymbolState::plain, piece.term};
-        if (piece.term) {
-            const bool idle = lighting::idleReason(*piece.term, full).en != nullptr;
-            symbol.state = !on.has(*piece.term) ? SymbolState::off
-                           : idle               ? SymbolState::idle
-                                                : SymbolState::active;
-        }
-        if (piece.with && !on.has(*piece.with))
-            symbol.state = SymbolState::off;
+        Symbol symbol{piece.text, piece.term ? stateOf(*piece.term) : SymbolState::plain, piece.term};
+        // What belongs to an addend goes, or dims, with it.
+        if (piece.with && stateOf(*piece.with) != SymbolState::active)
+            symbol.state = stateOf(*piece.with);
         symbols.push_back(std::move(symbol));
     }
     return symbols;

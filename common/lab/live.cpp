@@ -23,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 const Text keyHelp[] = {
     {"trascina: ruota   tasto destro: sposta   rotella: avvicina",
      "drag: orbit   right button: pan   wheel: zoom"},
-    {"R: come all'inizio   F2: scrive un'immagine   Esc: esce",
-     "R: reset   F2: writes a picture   Esc: leaves"},
+    {"R: come all'inizio   F2: scrive un'immagine", "R: reset   F2: writes a picture"},
+    {"H: nasconde queste righe   Esc: esce", "H: hides these lines   Esc: leaves"},
 };
 const Text animationHelp = {"spazio: avvia o ferma il movimento", "space: starts or stops the movement"};
 
