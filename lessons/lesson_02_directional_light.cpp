@@ -8,7 +8,7 @@
 //     P = max(0, n . w) D (x) L          w is the same everywhere: a sun, large and far (29-30)
 //
 // The surprise: the light comes from above and *behind* the knot. (0, 3, -2) points to where the sun is, not to
-// where it shines. About a third of what you see is lit.
+// where it shines. The floor is lit all over; of the knot that you see, about a fifth is.
 // Try: key 2 (the cosine) off: lit or not, nothing between; 3 (the clamp) is drawn dim: with one light, why?
 //
 // SPDX-License-Identifier: MIT

@@ -39,7 +39,7 @@ void watch(vec3 v) {}
 void write_pixel(vec3 P)
 {
     watch(P);
-    pixel = vec4(min(P, 3.4028234e38), 1.0);
+    pixel = vec4(clamp(P, -3.4028234e38, 3.4028234e38), 1.0);
 #if COUNT_NONFINITE
     nonfinite = vec4(met_nonfinite ? 1.0 : 0.0);
 #endif

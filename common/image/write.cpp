@@ -121,4 +121,16 @@ void write(const std::string& path, const Frame& frame, const Metadata& metadata
     }
 }
 
+void writeText(const std::string& path, const std::string& text) {
+    try {
+        TemporaryFile file(findTarget(path));
+        if (std::fwrite(text.data(), 1, text.size(), file.stream()) != text.size()) {
+            throwWriteError(errno);
+        }
+        file.commit();
+    } catch (const Error& error) {
+        throw Error("cannot write '" + path + "': " + error.what());
+    }
+}
+
 }  // namespace image

@@ -18,4 +18,7 @@ namespace image {
 // do next. A symbolic link is followed; a directory, a device or a pipe is refused.
 void write(const std::string& path, const Frame& frame, const Metadata& metadata);
 
+// Writes a text to a file with the same promises: whole or not at all, never over a device, links followed.
+void writeText(const std::string& path, const std::string& text);
+
 }  // namespace image

@@ -11,6 +11,7 @@
 #include "three/object_loader.hpp"
 #include "three/validate.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -32,6 +33,9 @@ int guarded(const std::string& who, const Work& work) {
     };
     try {
         work();
+        if (!std::cout.flush())
+            return failed("cannot write to standard output; free space there, or send it elsewhere",
+                          cannotWrite);
         return done;
     } catch (const render::NoRenderer& error) {
         return failed(error.what(), noRenderer);
@@ -46,6 +50,14 @@ int guarded(const std::string& who, const Work& work) {
     } catch (const std::exception& error) {
         return failed(error.what(), unusableScene);
     }
+}
+
+// Near and far for an eye of the user's choice: nothing of the scene is cut off.
+void reachEverything(THREE::PerspectiveCamera& camera, const THREE::Sphere& bounds,
+                     const CameraOption& wanted) {
+    const THREE::Vector3 eye(wanted.position[0], wanted.position[1], wanted.position[2]);
+    camera.far = std::max(camera.far, 2 * (eye.distanceTo(bounds.center) + bounds.radius));
+    camera.near = std::min(camera.near, camera.far * 1e-5);
 }
 
 void show(View& view, Options& options) {
@@ -88,6 +100,7 @@ int App::runFile() {
         for (const std::string& note : loaded.notes)
             std::cerr << options_.lesson << ": " << note << '\n';
         loaded.scene->updateMatrixWorld();
+        THREE::validate(*loaded.scene, THREE::PerspectiveCamera());  // before its size is measured
     });
     if (status != done)
         return status;
@@ -101,7 +114,11 @@ int App::runFile() {
         camera.up = loaded.camera->up;
         camera.applyMatrix4(loaded.camera->matrixWorld);
     } else {
+        camera.aspect =
+            options_.width && options_.height ? static_cast<double>(*options_.width) / *options_.height : 1;
         bringIntoView(camera, *loaded.scene);
+        if (options_.camera)
+            reachEverything(camera, worldBounds(*loaded.scene), *options_.camera);
     }
     return run(*loaded.scene, camera);
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "lab/live.hpp"
 
-#include "image/frame.hpp"
 #include "lab/equation.hpp"
 #include "lab/stills.hpp"
 #include "render/gl_renderer.hpp"
 #include "render/shader_source.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -41,7 +41,7 @@ class Live {
                 draw();
                 --redraws_;
             }
-            const bool still = redraws_ == 0 && !playing_;
+            const bool still = redraws_ == 0 && (!playing_ || minimised_);
             for (const Event& event : window_.events(still))
                 handle(event);
             if (playing_) {
@@ -57,7 +57,8 @@ class Live {
     const char* tell(const Text& text) const { return say(text, options_.language); }
 
     void handle(const Event& event) {
-        redraws_ = 2;  // the panel's size settles in the second
+        const bool panelChanges = event.kind == Event::Kind::key || event.kind == Event::Kind::redraw;
+        redraws_ = panelChanges ? 2 : std::max(redraws_, 1);  // a panel's new size settles in the second
         switch (event.kind) {
         case Event::Kind::key:
             return key(event.key);
@@ -102,28 +103,29 @@ class Live {
 
     // <lesson>.png, or with the first number that is free: no picture is ever overwritten from the window.
     void writePictureBeside() {
-        std::string path = options_.lesson + ".png";
-        for (int number = 1; std::filesystem::exists(path); ++number)
-            path = options_.lesson + "-" + std::to_string(number) + ".png";
         int width = 0, height = 0;
         window_.framebufferSize(width, height);
         if (width < 1 || height < 1)
             return;
         try {
+            std::string path = options_.lesson + ".png";
+            for (int number = 1; std::filesystem::exists(path); ++number)
+                path = options_.lesson + "-" + std::to_string(number) + ".png";
             writePicture(view_, renderer_, path, time_, terms_, width, height, options_);
             message_ = tell({"scritta: ", "written: "}) + path;
             std::cout << message_ << std::endl;
-        } catch (const image::Error& error) {
+        } catch (const std::exception& error) {  // the lecture goes on
             message_ = error.what();
-            std::cerr << options_.lesson << ": " << error.what() << std::endl;
+            std::cerr << options_.lesson << ": " << message_ << std::endl;
         }
     }
 
     void draw() {
         int width = 0, height = 0;
         window_.framebufferSize(width, height);
-        if (width < 1 || height < 1)
-            return;  // minimised
+        minimised_ = width < 1 || height < 1;
+        if (minimised_)
+            return;
         view_.update(time_, width, height);
         renderer_.drawToWindow(view_.plan(terms_), view_.settings(terms_), width, height);
         window_.show(panel());
@@ -184,6 +186,7 @@ class Live {
     int redraws_ = 2;
     bool playing_ = false;
     bool legend_ = true;
+    bool minimised_ = false;
     bool leave_ = false;
     Clock::time_point last_;
 };

@@ -26,7 +26,7 @@ std::optional<T> number(std::string_view text) {
 }
 
 double finite(const std::string& option, const std::string& text) {
-    const std::optional<double> value = number<double>(text);
+    const std::optional<double> value = number<double>(text.starts_with('+') ? text.substr(1) : text);
     if (!value || !(std::abs(*value) <= 1e36))
         throw CLI::ValidationError(option, "expected a finite number, found '" + text + "'");
     return *value;
@@ -62,6 +62,9 @@ void readCamera(const std::string& text, Options& options) {
                 "--camera", "expected an angle of view between 0 and 180 degrees, found '" + text + "'");
         camera.fov = values[6];
     }
+    if (std::equal(camera.position, camera.position + 3, camera.target))
+        throw CLI::ValidationError("--camera",
+                                   "expected two different points, found the same twice in '" + text + "'");
     options.camera = camera;
 }
 
@@ -72,8 +75,30 @@ void listTerms(Language language) {
                   << (language == Language::it ? "; spento: " : "; off: ") << say(row.off, language) << '\n';
 }
 
-// A description in the language of the locale: --help is written before --lang could be read.
-std::string text(const char* it, const char* en) { return say({it, en}, languageOfLocale()); }
+[[noreturn]] void leaveAfterTelling() {
+    if (std::cout.flush())
+        std::exit(0);
+    std::cerr << "cannot write to standard output; free space there, or send it elsewhere\n";
+    std::exit(5);
+}
+
+// Set before the options are described: --help is written in it.
+Language descriptions = Language::en;
+std::string text(const char* it, const char* en) { return say({it, en}, descriptions); }
+
+// What --lang says, looked for before everything else; what is wrong with it is said later.
+Language languageOf(int argc, char** argv) {
+    Language language = languageOfLocale();
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const std::string_view next = i + 1 < argc ? argv[i + 1] : "";
+        if (word == "--lang=it" || (word == "--lang" && next == "it"))
+            language = Language::it;
+        else if (word == "--lang=en" || (word == "--lang" && next == "en"))
+            language = Language::en;
+    }
+    return language;
+}
 
 void addNumbers(CLI::App& app, Options& options) {
     const auto add = [&app](const std::string& name, const char* it, const char* en, auto read) {
@@ -142,7 +167,7 @@ Language languageOfLocale() {
 Options readOptions(int argc, char** argv, const std::string& lesson, bool file) {
     Options options;
     options.lesson = lesson;
-    options.language = languageOfLocale();
+    options.language = descriptions = languageOf(argc, argv);
     CLI::App app(lesson + ", Lambert Lab " LAMBERT_VERSION, lesson);
     app.set_version_flag("--version", lesson + " " LAMBERT_VERSION,
                          text("dice la versione", "tells the version"));
@@ -173,23 +198,26 @@ Options readOptions(int argc, char** argv, const std::string& lesson, bool file)
     app.add_flag("--list-terms", list, text("elenca i termini dell'equazione", "lists the equation's terms"));
     if (file)
         app.add_option("file", options.sceneFile,
-                       text("scena three.js (JSON) o .obj", "three.js scene (JSON) or .obj"))
-            ->required();
+                       text("scena three.js (JSON) o .obj", "three.js scene (JSON) or .obj"));
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {
-        std::exit(app.exit(asked));
+        app.exit(asked);
+        leaveAfterTelling();
     } catch (const CLI::ParseError& wrong) {
         std::cerr << lesson << ": " << wrong.what() << "\nSee " << lesson
                   << " --help for what is understood.\n";
         std::exit(2);
     }
     options.skip = !noSkip;
-    if (!language.empty())
-        options.language = language == "it" ? Language::it : Language::en;
     if (list) {
         listTerms(options.language);
-        std::exit(0);
+        leaveAfterTelling();
+    }
+    if (file && options.sceneFile.empty()) {
+        std::cerr << lesson << ": expected a scene file (three.js JSON or .obj), found none\nSee " << lesson
+                  << " --help for what is understood.\n";
+        std::exit(2);
     }
     return options;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "lab/stills.hpp"
 
-#include "image/temporary_file.hpp"
 #include "image/write.hpp"
 #include "lab/equation.hpp"
 #include "lab/stats.hpp"
@@ -11,7 +10,6 @@
 #include "three/object_loader.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -33,8 +31,7 @@ bool wantsFloats(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr" ||
-           extension == ".pfm";
+    return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
 }
 
 image::Metadata metadata(const Options& options, lighting::TermSet terms, const std::string& renderer) {
@@ -43,13 +40,6 @@ image::Metadata metadata(const Options& options, lighting::TermSet terms, const 
             {"equation", equationText(terms)},
             {"renderer", renderer},
             {"version", LAMBERT_VERSION}};
-}
-
-void writeText(const std::string& path, const std::string& text) {
-    image::TemporaryFile file(path);
-    if (std::fwrite(text.data(), 1, text.size(), file.stream()) != text.size())
-        image::throwWriteError(errno);
-    file.commit();
 }
 
 void dumpShaders(const lighting::FramePlan& plan, const std::string& directory) {
@@ -125,9 +115,9 @@ void runStills(View& view, const Options& options) {
                                        wantsFloats(options.frame)};
     view.update(options.time, request.width, request.height);
     const lighting::FramePlan plan = view.plan(options.terms);
-    if (!options.dumpScene.empty())
-        writeText(options.dumpScene, THREE::toJSON(view.scene(), &view.camera()));
     const std::string shaders = render::findShaderDirectory(options.shaders);
+    if (!options.dumpScene.empty())
+        image::writeText(options.dumpScene, THREE::toJSON(view.scene(), &view.camera()));
     if (options.dumpShader)
         dumpShaders(plan, shaders);
     if (options.frame.empty() && options.frames == 0 && !options.stats)

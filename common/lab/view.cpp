@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/view.hpp"
 
+#include "three/lights.hpp"
 #include "three/validate.hpp"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ THREE::Sphere worldBounds(const THREE::Scene& scene) {
 void bringIntoView(THREE::PerspectiveCamera& camera, const THREE::Scene& scene) {
     const THREE::Sphere bounds = worldBounds(scene);
     const double radius = bounds.radius > 0 ? bounds.radius : 1;
-    const double distance = 1.05 * radius / std::sin(camera.fov * std::numbers::pi / 360);
+    const double top = std::tan(camera.fov * std::numbers::pi / 360);  // at depth 1; the narrower way decides
+    const double distance = 1.05 * radius / std::sin(std::atan(top * std::min(1.0, camera.aspect)));
     camera.position = Vector3(0.45, 0.35, 1).normalize().multiplyScalar(distance).add(bounds.center);
     camera.near = radius / 100;
     camera.far = radius * 100;
@@ -78,6 +80,11 @@ void View::update(double time, int width, int height) {
     jitter_.undo();
     if (animation_)
         animation_(time);
+    if (options_.decay)
+        scene_.traverse([this](THREE::Object3D& object) {
+            if (auto* point = dynamic_cast<THREE::PointLight*>(&object))
+                point->decay = *options_.decay;
+        });
     camera_.aspect = static_cast<double>(width) / height;
     const auto check = [this] {
         scene_.updateMatrixWorld();
@@ -94,7 +101,6 @@ void View::update(double time, int width, int height) {
 lighting::Settings View::settings(lighting::TermSet terms) const {
     lighting::Settings settings;
     settings.terms = terms;
-    settings.decay = options_.decay;
     settings.skip = options_.skip;
     settings.focus = orbit_.target();
     settings.focusDistance = orbit_.distance();

@@ -24,6 +24,7 @@ class GlfwWindow final : public Window {
   public:
     explicit GlfwWindow(GLFWwindow* window) : window_(window), panel_(window) {
         glfwSetWindowUserPointer(window, this);
+        glfwGetCursorPos(window, &x_, &y_);  // so that the first drag does not jump
         glfwSetKeyCallback(window,
                            [](GLFWwindow* w, int key, int, int action, int) { of(w).key(key, action); });
         glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).move(x, y); });

@@ -84,6 +84,7 @@ class Planner {
         if (settings_.skip && light.intensity == 0)
             return skipLight(light, "its intensity is 0");
         const bool ambient = dynamic_cast<const THREE::AmbientLight*>(&light) != nullptr;
+        plan_.lightColorMatters |= !ambient && color != glm::dvec3(light.intensity);
         // A black light still shines when light_color is off: white of the same intensity.
         if (settings_.skip && isZero(color) && (ambient || settings_.terms.has(Term::lightColor)))
             return skipLight(light, "its colour is black");
@@ -97,7 +98,6 @@ class Planner {
             plan_.ambient += color;
             hasAmbient_ = true;
         } else {
-            plan_.colored |= color.r != color.g || color.g != color.b;
             addAddend(light, color);
         }
     }
@@ -105,8 +105,7 @@ class Planner {
     void addAddend(const THREE::Light& light, const glm::dvec3& color) {
         if (const auto* point = dynamic_cast<const THREE::PointLight*>(&light)) {
             const glm::dvec3 position = glm::dvec3(point->matrixWorld.position()) - plan_.anchor;
-            plan_.point.push_back(
-                {position, color, light.intensity, settings_.decay.value_or(point->decay), point->distance});
+            plan_.point.push_back({position, color, light.intensity, point->decay, point->distance});
         } else if (const auto* directional = dynamic_cast<const THREE::DirectionalLight*>(&light)) {
             plan_.directional.push_back({directional->directionTowardsLight(), color, light.intensity});
         }
@@ -170,6 +169,7 @@ class Planner {
             draw.variant = lights;
             draw.variant.doubleSided = material.side != THREE::FrontSide;
             plan_.litMeshes = true;
+            plan_.emissive |= !isZero(draw.emitted);
             plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
         }
         plan_.draws.push_back(draw);
@@ -228,14 +228,13 @@ Text idleReason(Term term, const FramePlan& plan) {
     case Term::clamp:
         if (addends == 0)
             return {"nessuna luce con una direzione", "no light with a direction"};
-        if (addends == 1 && plan.ambient == glm::dvec3(0))
+        if (addends == 1 && plan.ambient == glm::dvec3(0) && !plan.emissive)
             return {"una sola luce: il negativo è già nero", "one light: negative is black anyway"};
         break;
     case Term::lightColor:
-        if (addends == 0)
-            return {"nessuna luce con una direzione", "no light with a direction"};
-        if (!plan.colored)
-            return {"luce bianca: L è già grigia", "white light: L is grey already"};
+        if (!plan.lightColorMatters)
+            return addends == 0 ? Text{"nessuna luce con una direzione", "no light with a direction"}
+                                : Text{"luce bianca: L è già bianca", "white light: L is white already"};
         break;
     case Term::attenuation:
         if (plan.point.empty())

@@ -10,7 +10,6 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,6 @@ namespace lighting {
 /// What the user chose for the frame; scene and camera come beside it.
 struct Settings {
     TermSet terms = TermSet::all();
-    std::optional<double> decay;  ///< overrides the exponent of every point light (--decay)
     bool skip =
         true;  ///< false: every draw, light, term, cull and upload that could be dropped is kept (--no-skip)
     bool countNonfinite = false;  ///< count pixels where an operand was NaN or infinite
@@ -94,7 +92,9 @@ struct FramePlan {
     int lightsUsed = 0;  ///< ambient ones included
     int lightsSkipped = 0;
     bool litMeshes = false;  ///< some drawn material is lit
-    bool colored = false;  ///< some light is not grey
+    bool emissive = false;  ///< some lit material gives off light of its own
+    /// Some light that is not ambient is not white; it may be black, and so be skipped.
+    bool lightColorMatters = false;
     bool albedoNotWhite = false;  ///< some lit material's base colour is not (1,1,1)
 };
 

@@ -10,10 +10,16 @@
 
 namespace render {
 
+namespace {
+
+constexpr int mostUniformLights = 256;
+
+}  // namespace
+
 Programs::Programs(std::string shaderDirectory) : directory_(std::move(shaderDirectory)) {
     GLint vectors = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_VECTORS, &vectors);  // at least 224
-    uniformLights_ = std::min((vectors - 16) / 3, 256);
+    uniformLights_ = std::min((vectors - 16) / 3, mostUniformLights);
 }
 
 Programs::~Programs() {
@@ -100,8 +106,9 @@ const char* fragmentFile(const lighting::Variant& variant) {
 }
 
 std::string dumpShaders(const std::string& directory, const lighting::Variant& variant) {
+    const bool texture = variant.directional + variant.point() > mostUniformLights;
     const auto part = [&](const std::string& file, bool fragment) {
-        const ShaderSource source = readShader(directory, file, preamble(variant, fragment, false));
+        const ShaderSource source = readShader(directory, file, preamble(variant, fragment, texture));
         return "// ==== " + file + "\n" + source.text + "\n";
     };
     return part("mesh.vert", false) + part(fragmentFile(variant), true);

@@ -53,6 +53,7 @@ class Programs {
 };
 
 /// The two shaders of a variant as they are compiled, one after the other under a comment line each (--dump-shader).
+/// No context is needed: beyond 256 lights they are in a texture on every driver, below that as most drivers have it.
 std::string dumpShaders(const std::string& directory, const lighting::Variant& variant);
 
 /// The file name of a variant's fragment shader.

@@ -58,7 +58,8 @@ LoadedScene loadDocument(const nlohmann::json& document, const std::string& file
     if (!aboutVersion.empty())
         loaded.notes.insert(loaded.notes.begin(), aboutVersion);
     if (const auto animations = root.findSet("animations"); animations && animations->array().size() > 0)
-        loaded.notes.emplace_back("animations: left out: they move nothing until an AnimationMixer plays them");
+        loaded.notes.emplace_back(
+            "animations: left out: they move nothing until an AnimationMixer plays them");
     return loaded;
 }
 

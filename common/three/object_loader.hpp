@@ -32,8 +32,8 @@ class ObjectLoader {
 /// A Wavefront .obj as one mesh per shape: its normals or, where it has none, computed ones; Kd as a Lambert colour.
 LoadedScene loadObj(const std::string& file);
 
-/// three.js's JSON of `object` and everything below it; `camera`, if given and not inside, is written as its last child,
-/// as `scene.toJSON()` writes it. Numbers are written so that reading them gives the same doubles.
+/// three.js's JSON of `object` and everything below it; `camera`, if given and not inside, is written as its first child,
+/// so that it is the one that a reader finds. Numbers are written so that reading them gives the same doubles.
 std::string toJSON(const Object3D& object, const PerspectiveCamera* camera = nullptr);
 
 }  // namespace THREE

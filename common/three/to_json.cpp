@@ -153,11 +153,12 @@ class SceneWriter {
 
     void writeChildren(const Object3D& object) {
         json_.key("children").beginArray();
+        // First, because the first camera of a file is the one that is used.
+        if (&object == &root_ && camera_ != nullptr)
+            writeObject(*camera_);
         for (const Object3D* child : object.children())
             writeObject(*child);
         if (&object == &root_) {
-            if (camera_ != nullptr)
-                writeObject(*camera_);
             for (const Target& target : targets_) {
                 json_.whose = "target of " + describe(*target.light);
                 Matrix4 place;
@@ -241,7 +242,7 @@ class SceneWriter {
     }
 
     const Object3D& root_;
-    const PerspectiveCamera* camera_ = nullptr;  // one to add as the root's last child
+    const PerspectiveCamera* camera_ = nullptr;  // one to add as the root's first child
     std::uint64_t objects_ = 0;
     Ids<Object3D> uuids_;
     Resources<BufferGeometry> geometries_;

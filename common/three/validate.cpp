@@ -152,6 +152,10 @@ void checkMesh(const Mesh& mesh, const Check& check) {
         check.fail(
             "its material was destroyed before it; declare the material first, so that it lives longer");
     checkGeometry(*mesh.geometry, check);
+    double stretch = 0;
+    for (int column = 0; column < 3; ++column)
+        stretch = std::max(stretch, Vector3(glm::dvec3(mesh.matrixWorld.elements[column])).length());
+    check.number("size in world space", std::max(mesh.geometry->boundingSphere().radius, 0.0) * stretch);
     check.color("material.color", mesh.material->color);
     check.color("material.emissive", mesh.material->emitted());
 }

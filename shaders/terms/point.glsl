@@ -7,8 +7,9 @@ vec3 point_light(int i, vec3 n, vec3 Q, vec3 D, float k)
     vec3 v = point_position(i) - Q;  // towards the light, as long as it is far
     float d2 = dot(v, v);            // d^2
     float divisor = cosine_divisor(d2) * attenuation_divisor(d2, k);
-    // A light that stands in the very point has no direction: no addend, instead of 0 / 0.
-    float share = divisor > 0.0 ? cosine(n, v) / divisor : 0.0;
+    float c = cosine(n, v);
+    // Where d^k is too small for a float, the share is the largest one; a light in the very point has no direction: none.
+    float share = divisor > 0.0 ? c / divisor : d2 > 0.0 ? c * 3.4028234e38 : 0.0;
     return clamp_cosine(share) * attenuation_window(d2, point_per_distance2(i)) * D * light_color(point_L(i));
 }
 

@@ -1,9 +1,11 @@
 // Whatever a user gets wrong: the promised status, a message that says what, where and what next, and nothing left behind.
 // SPDX-License-Identifier: MIT
+#include "image/compare.hpp"
 #include "image/oiio.hpp"
 #include "support/program.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace {
 
@@ -54,6 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"camera_short", {lesson, "--frame", "a.png", "--camera", "1,2,3"}, 2, "px,py,pz"},
         Case{"camera_text", {lesson, "--frame", "a.png", "--camera", "1,2,3,4,5,six"}, 2, "six"},
         Case{"camera_fov", {lesson, "--frame", "a.png", "--camera", "1,2,3,0,0,0,180"}, 2, "180"},
+        Case{"camera_same", {lesson, "--frame", "a.png", "--camera", "1,2,3,1,2,3"}, 2, "different"},
         Case{"jitter_text", {lesson, "--frame", "a.png", "--jitter", "x"}, 2, "whole number"},
         Case{"frames_zero", {lesson, "--frames", "0"}, 2, "1000000"},
         Case{"lang_unknown", {lesson, "--lang", "fr"}, 2, "fr"},
@@ -138,6 +141,44 @@ TEST(BrokenShaders, NameTheFileAndTheLine) {
     EXPECT_EQ(directory.contents(), Arguments{"shaders"});
 }
 
+TEST(DumpScene, FollowsLinksAndSparesPipes) {
+    const TemporaryDirectory directory;
+    ASSERT_EQ(mkfifo(directory.file("pipe").c_str(), 0600), 0);
+    const Outcome refused = support::run({lesson, "--dump-scene", "pipe"}, directory.path());
+    EXPECT_EQ(refused.status, 5);
+    EXPECT_NE(refused.err.find("'pipe'"), std::string::npos) << refused.err;
+    EXPECT_TRUE(std::filesystem::is_fifo(directory.file("pipe")));
+    support::writeFile(directory.file("real.json"), "old");
+    std::filesystem::create_symlink("real.json", directory.file("link.json"));
+    EXPECT_EQ(support::run({lesson, "--dump-scene", "link.json"}, directory.path()).status, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(directory.file("link.json")));
+    EXPECT_GT(support::readFile(directory.file("real.json")).size(), 1000U);
+}
+
+// What a viewer shows with --camera, --decay and --jitter is what the file that it dumps shows.
+TEST(DumpScene, HoldsWhatWasSeen) {
+    const TemporaryDirectory directory;
+    const std::string scene = LAMBERT_SOURCE_DIR "/tests/threejs/s06_dir_point.json";
+    const Outcome seen = support::run({"scene_viewer", scene, "--camera", "3,2,4,0,0,0,30", "--decay", "1",
+                                       "--jitter", "3", "--dump-scene", "d.json", "--frame", "a.exr"},
+                                      directory.path());
+    ASSERT_EQ(seen.status, 0) << seen.err;
+    ASSERT_EQ(support::run({"scene_viewer", "d.json", "--frame", "b.exr"}, directory.path()).status, 0);
+    const image::Difference d = image::compare(image::readFrame(directory.file("a.exr")),
+                                               image::readFrame(directory.file("b.exr")), 1e-5);
+    EXPECT_LT(d.above, 20U) << "worst " << d.worst << " at " << d.x << ',' << d.y;
+}
+
+TEST(Viewer, ShowsWhatTheCameraOptionLooksAt) {
+    const TemporaryDirectory directory;
+    support::writeFile(directory.file("far.obj"), "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+    for (const char* camera : {"0,0,500,0,0,0,1", "0,0,0.01,0,0,0"}) {
+        const Outcome stats =
+            support::run({"scene_viewer", "far.obj", "--camera", camera, "--stats"}, directory.path());
+        EXPECT_NE(stats.out.find("\"drawn\":1"), std::string::npos) << camera << ": " << stats.out;
+    }
+}
+
 TEST(NoRenderer, SaysWhatWasTriedAndWhatToInstall) {
     const TemporaryDirectory directory;
     const Outcome outcome =
@@ -196,6 +237,9 @@ TEST(Information, HelpVersionAndTerms) {
     const Outcome italian = support::run({lesson, "--list-terms", "--lang", "it"}, directory.path());
     EXPECT_NE(italian.out.find("legge del coseno"), std::string::npos);
     EXPECT_EQ(std::count(italian.out.begin(), italian.out.end(), '\n'), 9);
+    EXPECT_EQ(support::run({"scene_viewer", "--list-terms"}, directory.path()).status, 0) << "without a file";
+    EXPECT_NE(support::run({lesson, "--lang", "it", "--help"}, directory.path()).out.find("questo aiuto"),
+              std::string::npos);
     const Outcome shader = support::run({lesson, "--dump-shader"}, directory.path());
     EXPECT_NE(shader.out.find("vec3 lighting("), std::string::npos);
     EXPECT_EQ(directory.contents(), Arguments{});

@@ -196,6 +196,19 @@ TEST(ClosedForm, ALightInThePointItselfAddsNothing) {
     expectEverywhere(draw(s.scene, s.camera, {65, 65, true, {}}), 0, [](auto) { return glm::dvec3(0); });
 }
 
+TEST(ClosedForm, WhatIsTooBrightForFloatsSaturates) {
+    FacingPlane s;
+    THREE::PointLight bulb(THREE::Color(1, 1, 0), 1, 0, 40);  // 0.1^-40 = 1e40
+    bulb.position.set(0, 0, 0.1);
+    s.scene.add(bulb);
+    const support::Drawn drawn = draw(s.scene, s.camera, {65, 65, false, {}});
+    const auto& codes = std::get<image::Bytes>(drawn.frame.pixels);
+    const std::size_t middle = (32 * 65 + 32) * 3;
+    EXPECT_EQ(codes[middle], 255);
+    EXPECT_EQ(codes[middle + 1], 255);
+    EXPECT_EQ(codes[middle + 2], 0);
+}
+
 TEST(ClosedForm, ManyLightsGoThroughATexture) {
     FacingPlane s;
     std::vector<std::unique_ptr<THREE::PointLight>> bulbs;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -57,6 +58,7 @@ Outcome run(const std::vector<std::string>& arguments, const fs::path& directory
     for (std::size_t i = 1; i < arguments.size(); ++i)
         argv.push_back(const_cast<char*>(arguments[i].c_str()));
     argv.push_back(nullptr);
+    std::fflush(nullptr);  // else the child's copy of what is buffered would be written twice
     const pid_t child = fork();
     if (child == 0) {
         unsetenv("DISPLAY");

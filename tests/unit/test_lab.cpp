@@ -54,6 +54,47 @@ TEST(Orbit, ZoomsWithinBoundsAndPans) {
     expectNear(camera.position, {-10, 0, 10});
 }
 
+TEST(Orbit, NeverJumpsWhereTheSceneIsNearFarOrNear) {
+    THREE::PerspectiveCamera camera(50, 1, 3, 5);
+    camera.position.set(0, 0, 4);
+    lab::Orbit orbit(camera, {});
+    orbit.zoom(-1);
+    EXPECT_NEAR(orbit.distance(), 4, 1e-12)
+        << "far is 5: farther than half of that it was already, but no nearer";
+    orbit.zoom(1);
+    EXPECT_NEAR(orbit.distance(), 3.8, 1e-12);
+}
+
+TEST(Orbit, TurnsAboutTheCamerasOwnUp) {
+    THREE::PerspectiveCamera camera;
+    camera.up.set(0, 0, 1);
+    camera.position.set(5, 0, 2);
+    camera.lookAt(0, 0, 0);
+    lab::Orbit orbit(camera, {});
+    orbit.rotate(0.25, 0);
+    EXPECT_NEAR(camera.position.z, 2, 1e-12) << "a drag sideways keeps the height";
+    EXPECT_NEAR(camera.position.x, 0, 1e-12);
+    EXPECT_NEAR(camera.position.y, -5, 1e-12);
+}
+
+TEST(View, ADragIsNotLostWithJitter) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::Mesh mesh(box);
+    scene.add(mesh);
+    THREE::PerspectiveCamera camera;
+    camera.position.z = 5;
+    lab::Options options;
+    options.jitter = 5;
+    const lab::Animation still;
+    lab::View view(scene, camera, still, options);
+    view.update(0, 64, 64);
+    const Vector3 before = camera.position;
+    view.orbit().rotate(0.1, 0);
+    view.update(0, 64, 64);
+    EXPECT_GT(Vector3(camera.position).sub(before).length(), 1);
+}
+
 TEST(Jitter, MovesALittleTheSameEachTimeAndBackAgain) {
     THREE::Scene scene;
     THREE::BoxGeometry box;
@@ -83,19 +124,21 @@ TEST(Jitter, MovesALittleTheSameEachTimeAndBackAgain) {
 }
 
 TEST(View, BringsAnySceneIntoView) {
-    for (const double size : {1e-6, 1.0, 1e6}) {
+    for (const auto& [size, aspect] :
+         {std::pair{1e-6, 1.0}, {1.0, 1.0}, {1e6, 1.0}, {1.0, 0.1}, {1.0, 10.0}}) {
         THREE::Scene scene;
         THREE::SphereGeometry geometry(size);
         THREE::Mesh ball(geometry);
         ball.position.set(100 * size, -30 * size, 7 * size);
         scene.add(ball);
         scene.updateMatrixWorld();
-        THREE::PerspectiveCamera camera(40);
+        THREE::PerspectiveCamera camera(40, aspect);
         lab::bringIntoView(camera, scene);
         camera.updateWorldMatrix();
         const glm::dmat4 toClip = camera.projectionMatrix().elements * camera.matrixWorldInverse().elements;
-        for (const double y : {-1.0, 0.0, 1.0}) {
-            const glm::dvec4 clip = toClip * glm::dvec4(100 * size, (-30 + y) * size, 7 * size, 1);
+        for (const double side : {-1.0, 0.0, 1.0}) {
+            const glm::dvec4 clip =
+                toClip * glm::dvec4((100 + side) * size, (-30 + side * side) * size, 7 * size, 1);
             for (int i = 0; i < 3; ++i)
                 EXPECT_LT(std::abs(clip[i]), clip.w);
         }

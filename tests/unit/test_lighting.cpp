@@ -112,8 +112,6 @@ TEST_F(Plan, SortsPointLightsByExponentAndCountsThem) {
     EXPECT_EQ(v.decay2, 2);
     EXPECT_EQ(v.decayOther, 1);
     EXPECT_EQ(p.point.back().decay, 1.5);
-    settings.decay = 1;
-    EXPECT_EQ(plan().draws.at(0).variant.decay1, 6);
 }
 
 TEST_F(Plan, ShadersHaveOnlyTheTermsThatTheSceneHas) {
@@ -169,6 +167,13 @@ TEST_F(Plan, SaysWhyATermIsIdle) {
     EXPECT_NE(why(Term::ambient), "");
     bulb.decay = 2;
     EXPECT_EQ(why(Term::attenuation), "");
+    scene.remove(bulb);
+    material.emissive.set(0x202020);
+    EXPECT_EQ(why(Term::clamp), "") << "what is negative is subtracted from the emitted light";
+    sun.color.set(0x808080);
+    EXPECT_EQ(why(Term::lightColor), "") << "off, a grey light is white";
+    sun.color.set(0x000000);
+    EXPECT_EQ(why(Term::lightColor), "") << "off, a black light is white, though on it is skipped";
 }
 
 }  // namespace

@@ -168,14 +168,15 @@ TEST_F(ToJson, writesThreeJsFormat) {
     EXPECT_EQ(j["materials"][1]["color"], 0x1A55FF) << "clamped and rounded for three.js";
     EXPECT_EQ(j["materials"][1]["lambertColor"], json::parse("[0.1,0.3333333333333333,2.5]"));
     EXPECT_EQ(j["object"]["type"], "Scene");
-    EXPECT_EQ(j["object"]["children"][0]["geometry"], j["geometries"][0]["uuid"]);
-    EXPECT_EQ(j["object"]["children"][0]["matrix"].size(), 16U);
-    EXPECT_EQ(j["object"]["children"][0]["matrix"][12], 0.1);
-    EXPECT_EQ(j["object"]["children"][1]["children"][1]["matrixAutoUpdate"], false);
-    const json& last = j["object"]["children"].back();
-    EXPECT_EQ(last["type"], "PerspectiveCamera") << "a camera from outside is the last child";
-    EXPECT_FALSE(j["object"]["children"][3].contains("target")) << "the origin needs none";
-    const std::string uuid = last["uuid"];
+    EXPECT_EQ(j["object"]["children"][1]["geometry"], j["geometries"][0]["uuid"]);
+    EXPECT_EQ(j["object"]["children"][1]["matrix"].size(), 16U);
+    EXPECT_EQ(j["object"]["children"][1]["matrix"][12], 0.1);
+    EXPECT_EQ(j["object"]["children"][2]["children"][1]["matrixAutoUpdate"], false);
+    const json& first = j["object"]["children"].front();
+    EXPECT_EQ(first["type"], "PerspectiveCamera")
+        << "a camera from outside is the one that a reader finds first";
+    EXPECT_FALSE(j["object"]["children"][4].contains("target")) << "the origin needs none";
+    const std::string uuid = first["uuid"];
     EXPECT_EQ(uuid.size(), 36U);
     EXPECT_EQ(uuid[14], '4');
     EXPECT_EQ(toJSON(scene, &camera), toJSON(scene, &camera));
@@ -186,10 +187,10 @@ TEST_F(ToJson, givesDirectionalLightsTheirTarget) {
     const THREE::Vector3 expected = sun.directionTowardsLight();
     const std::string text = toJSON(scene, &camera);
     const json j = json::parse(text);
-    EXPECT_EQ(j["object"]["children"][3]["target"], j["object"]["children"].back()["uuid"]);
+    EXPECT_EQ(j["object"]["children"][4]["target"], j["object"]["children"].back()["uuid"]);
     EXPECT_EQ(j["object"]["children"].back()["type"], "Object3D");
     LoadedScene loaded = parse(text);
-    const auto& read = dynamic_cast<const THREE::DirectionalLight&>(*loaded.scene->children().at(3));
+    const auto& read = dynamic_cast<const THREE::DirectionalLight&>(*loaded.scene->children().at(4));
     EXPECT_EQ(read.directionTowardsLight(), expected);
     EXPECT_EQ(toJSON(*loaded.scene), text);
 
