@@ -54,11 +54,11 @@ const char* typeOf(const Object3D& object) {
 class SceneWriter {
   public:
     SceneWriter(const Object3D& root, const PerspectiveCamera* camera) : root_(root) {
+        bool inside = false;
+        for (const Object3D* object = camera; object != nullptr; object = object->parent())
+            inside |= object == &root;
+        camera_ = inside ? nullptr : camera;
         root.traverse([this](const Object3D& object) { collect(object); });
-        if (camera != nullptr && !uuids_.contains(camera)) {
-            camera_ = camera;
-            uuids_.emplace(camera, uuid(Kind::object, ++objects_));
-        }
         root.traverse([this](const Object3D& object) { collectTarget(object); });
     }
 
@@ -104,6 +104,9 @@ class SceneWriter {
 
     void collect(const Object3D& object) {
         uuids_.emplace(&object, uuid(Kind::object, ++objects_));
+        if (&object == &root_ &&
+            camera_ != nullptr)  // in the order of the file, so that reading and writing changes nothing
+            uuids_.emplace(camera_, uuid(Kind::object, ++objects_));
         const auto* mesh = dynamic_cast<const Mesh*>(&object);
         if (mesh == nullptr)
             return;
