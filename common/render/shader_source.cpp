@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 namespace render {
 
@@ -29,6 +29,21 @@ std::vector<std::string> readLines(const std::string& path, const std::string& a
     return lines;
 }
 
+// The x of a line `#include "x"`, else empty.
+std::string includedFile(const std::string& line) {
+    std::istringstream words(line);
+    std::string hash, name;
+    if (!(words >> hash) || hash.empty() || hash[0] != '#')
+        return {};
+    if (hash == "#") {  // "# include" is allowed too
+        words >> name;
+        hash += name;
+    }
+    words >> name;
+    const bool quoted = name.size() > 2 && name.front() == '"' && name.back() == '"';
+    return hash == "#include" && quoted ? name.substr(1, name.size() - 2) : std::string();
+}
+
 class Reader {
   public:
     explicit Reader(const std::string& directory) : directory_(directory) {}
@@ -45,11 +60,9 @@ class Reader {
         if (!included_.insert(file).second)
             return;  // as with #pragma once; a file that includes itself ends here too
         const std::vector<std::string> lines = readLines(directory_ + "/" + file, askedBy);
-        static const std::regex pattern(R"rx(^\s*#\s*include\s+"([^"]+)"\s*$)rx");
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            std::smatch match;
-            if (lines[i].find("include") != std::string::npos && std::regex_match(lines[i], match, pattern))
-                include(match[1], file + ":" + std::to_string(i + 1) + ": ");
+            if (const std::string wanted = includedFile(lines[i]); !wanted.empty())
+                include(wanted, file + ":" + std::to_string(i + 1) + ": ");
             else
                 add(lines[i], {file, i + 1});
         }
@@ -121,12 +134,29 @@ std::string preamble(const lighting::Variant& v, bool fragment, bool lightsInTex
 
 namespace {
 
-// The line number in one line of a driver's log: Mesa "0:7(3): error", NVIDIA "0(7) : error", ANGLE "ERROR: 0:7: ".
-std::optional<std::size_t> lineIn(const std::string& logLine, std::smatch& match) {
-    static const std::regex pattern(R"rx(^(?:ERROR: |WARNING: )?\d{1,6}[:(](\d{1,6})(?:\(\d+\))?\)?\s*:)rx");
-    if (!std::regex_search(logLine, match, pattern))
+struct LogLine {
+    std::size_t line;  // of the text that was compiled, from 1
+    std::string rest;  // what the driver says of it
+};
+
+// One line of a driver's log: Mesa "0:7(3): error", NVIDIA "0(7) : error", ANGLE "ERROR: 0:7: ".
+std::optional<LogLine> readLogLine(std::string text) {
+    for (const std::string_view prefix : {"ERROR: ", "WARNING: "})
+        if (text.starts_with(prefix))
+            text.erase(0, prefix.size());
+    std::istringstream in(text);
+    std::size_t string = 0, line = 0, column = 0;
+    char mark = 0;
+    if (!(in >> string >> mark) || (mark != ':' && mark != '(') || !(in >> line))
         return std::nullopt;
-    return std::stoul(match[1]);
+    in >> mark;
+    if (mark == '(' && in >> column)
+        in >> mark;  // the column's closing bracket
+    if (mark == ')')
+        in >> mark;
+    std::string rest;
+    std::getline(in, rest);
+    return mark == ':' ? std::optional(LogLine{line, rest}) : std::nullopt;
 }
 
 std::string excerpt(const std::string& path, std::size_t line) {
@@ -147,11 +177,11 @@ std::string explain(const std::string& driverMessage, const std::string& directo
     std::string out;
     std::string lines;
     for (std::string line; std::getline(log, line);) {
-        std::smatch match;
-        const std::optional<std::size_t> number = lineIn(line, match);
-        if (number && *number >= 1 && *number <= source.lines.size() && source.lines[*number - 1].line > 0) {
-            const ShaderLine& place = source.lines[*number - 1];
-            out += place.file + ":" + std::to_string(place.line) + ":" + match.suffix().str() + "\n";
+        const std::optional<LogLine> entry = readLogLine(line);
+        if (entry && entry->line >= 1 && entry->line <= source.lines.size() &&
+            source.lines[entry->line - 1].line > 0) {
+            const ShaderLine& place = source.lines[entry->line - 1];
+            out += place.file + ":" + std::to_string(place.line) + ":" + entry->rest + "\n";
             if (lines.empty())
                 lines = excerpt(directory + "/" + place.file, place.line);
         } else if (!line.empty()) {
