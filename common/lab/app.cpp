@@ -33,10 +33,7 @@ int guarded(const std::string& who, const Work& work) {
     };
     try {
         work();
-        if (!std::cout.flush())
-            return failed("cannot write to standard output; free space there, or send it elsewhere",
-                          cannotWrite);
-        return done;
+        return flushOutput(who) ? done : cannotWrite;
     } catch (const render::NoRenderer& error) {
         return failed(error.what(), noRenderer);
     } catch (const render::ShaderError& error) {

@@ -75,13 +75,6 @@ void listTerms(Language language) {
                   << (language == Language::it ? "; spento: " : "; off: ") << say(row.off, language) << '\n';
 }
 
-[[noreturn]] void leaveAfterTelling() {
-    if (std::cout.flush())
-        std::exit(0);
-    std::cerr << "cannot write to standard output; free space there, or send it elsewhere\n";
-    std::exit(5);
-}
-
 // Set before the options are described: --help is written in it.
 Language descriptions = Language::en;
 std::string text(const char* it, const char* en) { return say({it, en}, descriptions); }
@@ -157,6 +150,13 @@ void addFiles(CLI::App& app, Options& options) {
 
 }  // namespace
 
+bool flushOutput(const std::string& who) {
+    if (std::cout.flush())
+        return true;
+    std::cerr << who << ": cannot write to standard output; free space there, or send it elsewhere\n";
+    return false;
+}
+
 Language languageOfLocale() {
     for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
         if (const char* value = std::getenv(name); value != nullptr && *value != '\0')
@@ -203,7 +203,7 @@ Options readOptions(int argc, char** argv, const std::string& lesson, bool file)
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {
         app.exit(asked);
-        leaveAfterTelling();
+        std::exit(flushOutput(lesson) ? 0 : 5);
     } catch (const CLI::ParseError& wrong) {
         std::cerr << lesson << ": " << wrong.what() << "\nSee " << lesson
                   << " --help for what is understood.\n";
@@ -212,7 +212,7 @@ Options readOptions(int argc, char** argv, const std::string& lesson, bool file)
     options.skip = !noSkip;
     if (list) {
         listTerms(options.language);
-        leaveAfterTelling();
+        std::exit(flushOutput(lesson) ? 0 : 5);
     }
     if (file && options.sceneFile.empty()) {
         std::cerr << lesson << ": expected a scene file (three.js JSON or .obj), found none\nSee " << lesson

@@ -53,6 +53,9 @@ struct Options {
 /// message on wrong usage, with 0 after --help, --version and --list-terms.
 Options readOptions(int argc, char** argv, const std::string& lesson, bool file);
 
+/// Sends off what was said on stdout. False, with a message on stderr, if it could not be written.
+bool flushOutput(const std::string& who);
+
 /// Italian where LC_ALL, LC_MESSAGES or LANG (the first that is set) say so, else English.
 Language languageOfLocale();
 

@@ -45,7 +45,6 @@ class Window {
     virtual std::vector<Event> events(bool wait) = 0;
     /// Draws the panel over the frame and shows both.
     virtual void show(const Panel& panel) = 0;
-    virtual void setTitle(const std::string& title) = 0;
 };
 
 /// Opens a window by loading the module. Null with a reason where there is no display or no module.

@@ -60,8 +60,6 @@ class GlfwWindow final : public Window {
         glfwSwapBuffers(window_);
     }
 
-    void setTitle(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
-
   private:
     static GlfwWindow& of(GLFWwindow* w) { return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w)); }
 
