@@ -5,6 +5,7 @@
 //
 // SPDX-License-Identifier: MIT
 #include "lights.glsl"
+#include "range.glsl"
 // the factors
 #include "terms/albedo.glsl"
 #include "terms/cosine.glsl"
@@ -16,7 +17,7 @@
 #include "terms/point.glsl"
 #include "terms/ambient.glsl"
 
-// n: unit normal, Q: the point, both in world space; D: base colour
+// n: unit normal, Q: the point, both in world space about the anchor (mesh.vert); D: base colour
 vec3 lighting(vec3 n, vec3 Q, vec3 D)
 {
     D = albedo(D);

@@ -1,7 +1,7 @@
 // Where the lights' numbers come from: uniforms, or a texture where there are too many for them.
 // SPDX-License-Identifier: MIT
 
-// A light is three vec4: (w or P_L, -), (L, intensity alone), (1 / distance^2, k, -, -).
+// A light is three vec4: (w or P_L, -), (L, intensity alone), (1 / distance, k, exponent, -).
 #if LIGHTS_IN_TEXTURE
 
 uniform highp sampler2D lightData;  // three texels a light, 512 lights a row
@@ -29,5 +29,6 @@ vec4 directional_L(int i) { return light_radiance(i); }
 // P_L: where a point light stands, world space about the anchor; L; what its falloff needs (terms/attenuation.glsl)
 vec3 point_position(int i) { return light_geometry(NUM_DIRECTIONAL_LIGHTS + i).xyz; }
 vec4 point_L(int i) { return light_radiance(NUM_DIRECTIONAL_LIGHTS + i); }
-float point_per_distance2(int i) { return light_falloff(NUM_DIRECTIONAL_LIGHTS + i).x; }
+float point_per_distance(int i) { return light_falloff(NUM_DIRECTIONAL_LIGHTS + i).x; }
 float point_decay(int i) { return light_falloff(NUM_DIRECTIONAL_LIGHTS + i).y; }
+float point_exponent(int i) { return light_falloff(NUM_DIRECTIONAL_LIGHTS + i).z; }  // L is point_L 2^this

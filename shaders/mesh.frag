@@ -3,7 +3,7 @@
 #include "variant.glsl"
 #include "lighting.glsl"
 
-in vec3 worldPosition;  // relative to the anchor, as the lights' positions are
+in vec3 worldPosition;  // about the anchor, as the lights' positions are
 in vec3 worldNormal;    // interpolated, so shorter than 1 between the vertices
 
 uniform vec3 baseColor;  // D, slide 27
@@ -15,5 +15,5 @@ void main()
     watch(worldNormal);
     float length2 = dot(worldNormal, worldNormal);
     vec3 n = length2 > 0.0 ? worldNormal * (facing() / sqrt(length2)) : vec3(0.0);
-    write_pixel(lighting(n, worldPosition, baseColor) + emissive);
+    write_pixel(add(lighting(n, worldPosition, baseColor), emissive));
 }

@@ -6,7 +6,7 @@ layout(location = 0) in vec3 position;  // object space
 layout(location = 1) in vec3 normal;    // object space, unit length
 
 uniform mat4 modelViewProjectionMatrix;  // object to clip space, formed in double on the CPU
-uniform mat4x3 modelMatrix;              // object to world space, relative to an anchor near the camera
+uniform mat4x3 modelMatrix;              // object to world space about an anchor: see lighting/frame_plan.hpp
 uniform mat3 normalMatrix;               // the inverse transpose of the model matrix, up to a positive factor
 
 out vec3 worldPosition;

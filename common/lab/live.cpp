@@ -5,6 +5,7 @@
 #include "lab/equation.hpp"
 #include "lab/stills.hpp"
 #include "render/gl_renderer.hpp"
+#include "render/reference_renderer.hpp"
 #include "render/shader_source.hpp"
 
 #include <algorithm>
@@ -54,6 +55,13 @@ class Live {
     }
 
   private:
+    // What draws the pictures; the window itself is always the graphics driver's.
+    render::Renderer& renderer() {
+        if (options_.renderer == RendererKind::gl)
+            return renderer_;
+        return reference_;
+    }
+
     const char* tell(const Text& text) const { return say(text, options_.language); }
 
     void handle(const Event& event) {
@@ -111,7 +119,7 @@ class Live {
             std::string path = options_.lesson + ".png";
             for (int number = 1; std::filesystem::exists(path); ++number)
                 path = options_.lesson + "-" + std::to_string(number) + ".png";
-            writePicture(view_, renderer_, path, time_, terms_, width, height, options_);
+            writePicture(view_, renderer(), path, time_, terms_, width, height, options_);
             message_ = tell({"scritta: ", "written: "}) + path;
             std::cout << message_ << std::endl;
         } catch (const std::exception& error) {  // the lecture goes on
@@ -127,7 +135,11 @@ class Live {
         if (minimised_)
             return;
         view_.update(time_, width, height);
-        renderer_.drawToWindow(view_.plan(terms_), view_.settings(terms_), width, height);
+        if (options_.renderer == RendererKind::gl)
+            renderer_.drawToWindow(view_.plan(terms_), view_.settings(terms_), width, height);
+        else
+            renderer_.showInWindow(reference_.render(view_.scene(), view_.camera(), view_.settings(terms_),
+                                                     {width, height, false}));
         window_.show(panel());
     }
 
@@ -180,6 +192,7 @@ class Live {
     Window& window_;
     const Options& options_;
     render::GlRenderer renderer_;
+    render::ReferenceRenderer reference_;
     lighting::TermSet terms_;
     double time_;
     std::string message_;

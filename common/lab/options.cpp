@@ -3,10 +3,12 @@
 #include "lab/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
 #include <vector>
 
 namespace lab {
@@ -68,11 +70,13 @@ void readCamera(const std::string& text, Options& options) {
     options.camera = camera;
 }
 
-void listTerms(Language language) {
+std::string listTerms(Language language) {
+    std::ostringstream out;
     for (const lighting::TermInfo& row : lighting::terms())
-        std::cout << static_cast<int>(row.term) + 1 << "  " << row.name << "  " << row.symbol << "  slide "
-                  << row.slides << "  " << say(row.meaning, language)
-                  << (language == Language::it ? "; spento: " : "; off: ") << say(row.off, language) << '\n';
+        out << static_cast<int>(row.term) + 1 << "  " << row.name << "  " << row.symbol << "  slide "
+            << row.slides << "  " << say(row.meaning, language)
+            << (language == Language::it ? "; spento: " : "; off: ") << say(row.off, language) << '\n';
+    return out.str();
 }
 
 // Set before the options are described: --help is written in it.
@@ -80,11 +84,11 @@ Language descriptions = Language::en;
 std::string text(const char* it, const char* en) { return say({it, en}, descriptions); }
 
 // What --lang says, looked for before everything else; what is wrong with it is said later.
-Language languageOf(int argc, char** argv) {
+Language languageOf(std::span<const std::string> arguments) {
     Language language = languageOfLocale();
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        const std::string_view next = i + 1 < argc ? argv[i + 1] : "";
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string_view word = arguments[i];
+        const std::string_view next = i + 1 < arguments.size() ? std::string_view(arguments[i + 1]) : "";
         if (word == "--lang=it" || (word == "--lang" && next == "it"))
             language = Language::it;
         else if (word == "--lang=en" || (word == "--lang" && next == "en"))
@@ -148,6 +152,33 @@ void addFiles(CLI::App& app, Options& options) {
         "DIR: uses the shader files of this folder");
 }
 
+void addChoices(CLI::App& app, Options& options) {
+    const auto add = [&app](const std::string& name, const char* it, const char* en, auto read) {
+        return app.add_option_function<std::string>(name, read, text(it, en));
+    };
+    add("--terms", "all, none, nomi da tenere, o +nome,-nome per cambiare",
+        "all, none, names to keep, or +name,-name to change", [&options](const std::string& value) {
+            try {
+                options.terms = lighting::parseTerms(value, lighting::TermSet::all());
+            } catch (const std::invalid_argument& error) {
+                throw CLI::ValidationError("--terms", error.what());
+            }
+        });
+    add("--lang", "it o en", "it or en", [&options](const std::string& value) {
+        options.language = value == "it" ? Language::it : Language::en;
+    })->check(CLI::IsMember({"it", "en"}));
+    add("--renderer",
+        "gl: la scheda grafica; reference: il calcolo di riferimento in doppia precisione, "
+        "senza scheda né schermo",
+        "gl: the graphics driver; reference: the double-precision evaluation itself, "
+        "no driver or display needed",
+        [&options](const std::string& value) {
+            if (value != "gl" && value != "reference")
+                throw CLI::ValidationError("--renderer", "expected gl or reference, found '" + value + "'");
+            options.renderer = value == "gl" ? RendererKind::gl : RendererKind::reference;
+        });
+}
+
 }  // namespace
 
 bool flushOutput(const std::string& who) {
@@ -164,32 +195,20 @@ Language languageOfLocale() {
     return Language::en;
 }
 
-Options readOptions(int argc, char** argv, const std::string& lesson, bool file) {
+std::variant<Options, Ending> parseOptions(std::span<const std::string> arguments, const std::string& lesson,
+                                           bool file) {
     Options options;
     options.lesson = lesson;
-    options.language = descriptions = languageOf(argc, argv);
+    options.language = descriptions = languageOf(arguments);
     CLI::App app(lesson + ", Lambert Lab " LAMBERT_VERSION, lesson);
     app.set_version_flag("--version", lesson + " " LAMBERT_VERSION,
                          text("dice la versione", "tells the version"));
     app.set_help_flag("--help,-h", text("questo aiuto", "this help"));
     addFiles(app, options);
     addNumbers(app, options);
-    std::string terms;
-    std::string language;
+    addChoices(app, options);
     bool list = false;
     bool noSkip = false;
-    app.add_option("--terms", terms,
-                   text("all, none, nomi da tenere, o +nome,-nome per cambiare",
-                        "all, none, names to keep, or +name,-name to change"))
-        ->check([&options](const std::string& value) {
-            try {
-                options.terms = lighting::parseTerms(value, lighting::TermSet::all());
-                return std::string();
-            } catch (const std::invalid_argument& error) {
-                return std::string(error.what());
-            }
-        });
-    app.add_option("--lang", language, text("it o en", "it or en"))->check(CLI::IsMember({"it", "en"}));
     app.add_flag("--no-skip", noSkip, text("non tralascia nulla", "leaves nothing out"));
     app.add_flag("--stats", options.stats,
                  text("scrive una riga JSON con tempi e conteggi", "writes a JSON line of times and counts"));
@@ -199,27 +218,36 @@ Options readOptions(int argc, char** argv, const std::string& lesson, bool file)
     if (file)
         app.add_option("file", options.sceneFile,
                        text("scena three.js (JSON) o .obj", "three.js scene (JSON) or .obj"));
+    const auto wrong = [&lesson](const std::string& what) {
+        return Ending{2, "", lesson + ": " + what + "\nSee " + lesson + " --help for what is understood.\n"};
+    };
     try {
-        app.parse(argc, argv);
+        // CLI11 takes the last word first.
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::Success& asked) {
-        app.exit(asked);
-        std::exit(flushOutput(lesson) ? 0 : 5);
-    } catch (const CLI::ParseError& wrong) {
-        std::cerr << lesson << ": " << wrong.what() << "\nSee " << lesson
-                  << " --help for what is understood.\n";
-        std::exit(2);
+        std::ostringstream out;
+        app.exit(asked, out, out);
+        return Ending{0, out.str(), ""};
+    } catch (const CLI::ParseError& error) {
+        return wrong(error.what());
     }
     options.skip = !noSkip;
-    if (list) {
-        listTerms(options.language);
-        std::exit(flushOutput(lesson) ? 0 : 5);
-    }
-    if (file && options.sceneFile.empty()) {
-        std::cerr << lesson << ": expected a scene file (three.js JSON or .obj), found none\nSee " << lesson
-                  << " --help for what is understood.\n";
-        std::exit(2);
-    }
+    if (list)
+        return Ending{0, listTerms(options.language), ""};
+    if (file && options.sceneFile.empty())
+        return wrong("expected a scene file (three.js JSON or .obj), found none");
     return options;
+}
+
+Options readOptions(int argc, char** argv, const std::string& lesson, bool file) {
+    const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    std::variant<Options, Ending> parsed = parseOptions(arguments, lesson, file);
+    if (Options* const options = std::get_if<Options>(&parsed))
+        return std::move(*options);
+    const Ending& ending = std::get<Ending>(parsed);
+    std::cout << ending.out;
+    std::cerr << ending.err;
+    std::exit(flushOutput(lesson) ? ending.status : 5);
 }
 
 }  // namespace lab

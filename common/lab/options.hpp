@@ -6,11 +6,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 
 namespace lab {
 
 enum class Language { it, en };
+
+/// What draws: the graphics driver, or the double-precision evaluation of the same equation on the CPU.
+enum class RendererKind { gl, reference };
 
 /// The text in one of the lab's two languages.
 inline const char* say(const lighting::Text& text, Language language) {
@@ -36,6 +41,7 @@ struct Options {
     std::optional<CameraOption> camera;
     std::optional<std::uint64_t> jitter;
     bool skip = true;  ///< --no-skip turns it off
+    RendererKind renderer = RendererKind::gl;
     std::string shaders;  ///< --shaders, or empty
     int frames = 0;  ///< --frames: how many to time; 0: none
     bool stats = false;
@@ -49,8 +55,18 @@ struct Options {
     }
 };
 
-/// Reads the command line; `file` says whether the program takes a scene file. Ends the program with status 2 and a
-/// message on wrong usage, with 0 after --help, --version and --list-terms.
+/// Why a program leaves before it begins: what was asked is told on stdout (status 0: --help, --version,
+/// --list-terms), or what is wrong with the command line on stderr (status 2).
+struct Ending {
+    int status;
+    std::string out, err;
+};
+
+/// Reads a command line, without the program's name; `file` says whether the program takes a scene file.
+std::variant<Options, Ending> parseOptions(std::span<const std::string> arguments, const std::string& lesson,
+                                           bool file);
+
+/// The same for `main`: prints an Ending and leaves with its status (5 if stdout cannot be written).
 Options readOptions(int argc, char** argv, const std::string& lesson, bool file);
 
 /// Sends off what was said on stdout. False, with a message on stderr, if it could not be written.

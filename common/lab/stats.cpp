@@ -28,6 +28,8 @@ std::string variantText(const lighting::Variant& v) {
             out << " point:" << name << '=' << count;
     if (v.window)
         out << " window";
+    if (v.scaled)
+        out << " scaled";
     if (v.ambient)
         out << " ambient";
     if (v.lit) {
@@ -56,16 +58,15 @@ double millisecondsSinceProcessStart() {
     return static_cast<double>(now.tv_sec) * 1000 + static_cast<double>(now.tv_nsec) / 1e6 - started;
 }
 
-std::string statsJson(const StatsReport& report, const lighting::FramePlan& plan,
-                      const render::FrameStats& frame) {
+std::string statsJson(const StatsReport& report, const render::FrameStats& frame) {
     std::set<std::string> variants;
-    for (const lighting::Draw& draw : plan.draws)
-        variants.insert(variantText(draw.variant));
+    for (const lighting::Variant& variant : frame.variants)
+        variants.insert(variantText(variant));
     std::string variantList;
     for (const std::string& variant : variants)
         variantList += (variantList.empty() ? "" : "; ") + variant;
     Json skipped = Json::array();
-    for (const lighting::Skipped& s : plan.skipped)
+    for (const lighting::Skipped& s : frame.skipped)
         skipped.push_back({{"what", s.what}, {"why", s.why}});
     std::vector<double> times = report.frameMilliseconds;
     std::sort(times.begin(), times.end());
@@ -76,8 +77,8 @@ std::string statsJson(const StatsReport& report, const lighting::FramePlan& plan
     json["width"] = report.width;
     json["height"] = report.height;
     json["shader_variant"] = variantList;
-    json["meshes"] = {{"drawn", frame.meshesDrawn}, {"skipped", plan.meshesSkipped}};
-    json["lights"] = {{"used", plan.lightsUsed}, {"skipped", plan.lightsSkipped}};
+    json["meshes"] = {{"drawn", frame.meshesDrawn}, {"skipped", frame.meshesSkipped}};
+    json["lights"] = {{"used", frame.lightsUsed}, {"skipped", frame.lightsSkipped}};
     json["skipped"] = skipped;
     json["draw_calls"] = frame.drawCalls;
     json["triangles"] = frame.triangles;

@@ -19,9 +19,8 @@ struct StatsReport {
     std::vector<double> frameMilliseconds;  ///< of each timed frame
 };
 
-/// One line without the line's end. `plan` and `frame` are those of the frame that was drawn.
-std::string statsJson(const StatsReport& report, const lighting::FramePlan& plan,
-                      const render::FrameStats& frame);
+/// One line without the line's end. `frame` is of the frame that was drawn.
+std::string statsJson(const StatsReport& report, const render::FrameStats& frame);
 
 /// A variant in words: "lit directional=1 point=k0:1 ambient terms=albedo,cosine".
 std::string variantText(const lighting::Variant& variant);

@@ -6,6 +6,8 @@
 #include "lab/equation.hpp"
 #include "lab/stats.hpp"
 #include "render/context.hpp"
+#include "render/gl_renderer.hpp"
+#include "render/reference_renderer.hpp"
 #include "render/shader_source.hpp"
 #include "three/object_loader.hpp"
 
@@ -79,14 +81,34 @@ class Progress {
     Clock::time_point start_ = Clock::now();
 };
 
-std::vector<double> timeFrames(View& view, render::GlRenderer& renderer, const render::FrameRequest& request,
+// The renderer that the command line asks for, with the context it needs.
+class Drawing {
+  public:
+    explicit Drawing(const Options& options) {
+        if (options.renderer == RendererKind::reference) {
+            renderer_ = std::make_unique<render::ReferenceRenderer>(
+                [this](double share) { progress_.step(static_cast<int>(share * 1000)); });
+        } else {
+            context_.emplace();
+            renderer_ = std::make_unique<render::GlRenderer>(render::findShaderDirectory(options.shaders));
+        }
+    }
+    render::Renderer& renderer() { return *renderer_; }
+
+  private:
+    Progress progress_{1000};
+    std::optional<render::HeadlessContext> context_;
+    std::unique_ptr<render::Renderer> renderer_;
+};
+
+std::vector<double> timeFrames(View& view, render::Renderer& renderer, const render::FrameRequest& request,
                                const Options& options) {
     std::vector<double> times;
     Progress progress(options.frames);
     for (int i = 0; i < options.frames; ++i) {
         const Clock::time_point start = Clock::now();
         view.update(options.time, request.width, request.height);
-        renderer.renderOnly(view.plan(options.terms), view.settings(options.terms), request);
+        renderer.renderOnly(view.scene(), view.camera(), view.settings(options.terms), request);
         times.push_back(millisecondsSince(start));
         progress.step(i + 1);
     }
@@ -102,11 +124,11 @@ void tellTimes(std::vector<double> times, const render::FrameRequest& request) {
 
 }  // namespace
 
-void writePicture(View& view, render::GlRenderer& renderer, const std::string& path, double time,
+void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,
                   lighting::TermSet terms, int width, int height, const Options& options) {
     view.update(time, width, height);
-    const image::Frame frame =
-        renderer.render(view.plan(terms), view.settings(terms), {width, height, wantsFloats(path)});
+    const image::Frame frame = renderer.render(view.scene(), view.camera(), view.settings(terms),
+                                               {width, height, wantsFloats(path)});
     image::write(path, frame, metadata(options, terms, renderer.name()));
 }
 
@@ -114,20 +136,18 @@ void runStills(View& view, const Options& options) {
     const render::FrameRequest request{options.width.value_or(512), options.height.value_or(512),
                                        wantsFloats(options.frame)};
     view.update(options.time, request.width, request.height);
-    const lighting::FramePlan plan = view.plan(options.terms);
-    const std::string shaders = render::findShaderDirectory(options.shaders);
     if (!options.dumpScene.empty())
         image::writeText(options.dumpScene, THREE::toJSON(view.scene(), &view.camera()));
     if (options.dumpShader)
-        dumpShaders(plan, shaders);
+        dumpShaders(view.plan(options.terms), render::findShaderDirectory(options.shaders));
     if (options.frame.empty() && options.frames == 0 && !options.stats)
         return;
 
-    const render::HeadlessContext context;
-    render::GlRenderer renderer(shaders);
+    Drawing drawing(options);
+    render::Renderer& renderer = drawing.renderer();
     lighting::Settings settings = view.settings(options.terms);
     const Clock::time_point start = Clock::now();
-    const image::Frame frame = renderer.render(plan, settings, request);
+    const image::Frame frame = renderer.render(view.scene(), view.camera(), settings, request);
     StatsReport report{renderer.name(),
                        request.width,
                        request.height,
@@ -142,11 +162,13 @@ void runStills(View& view, const Options& options) {
             tellTimes(report.frameMilliseconds, request);
     }
     if (options.stats) {
-        // Counted by a shader of its own, so that neither the picture nor its time is that shader's.
-        settings.countNonfinite = true;
-        renderer.render(lighting::planFrame(view.scene(), view.camera(), settings), settings, request);
-        stats.nonfinite = renderer.stats().nonfinite;
-        std::cout << statsJson(report, plan, stats) << '\n';
+        if (!stats.nonfinite) {
+            // Counted by a shader of its own, so that neither the picture nor its time is that shader's.
+            settings.countNonfinite = true;
+            renderer.render(view.scene(), view.camera(), settings, request);
+            stats.nonfinite = renderer.stats().nonfinite;
+        }
+        std::cout << statsJson(report, stats) << '\n';
     }
 }
 

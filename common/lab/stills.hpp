@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lab/view.hpp"
-#include "render/gl_renderer.hpp"
+#include "render/renderer.hpp"
 
 namespace lab {
 
@@ -11,7 +11,7 @@ namespace lab {
 void runStills(View& view, const Options& options);
 
 /// Draws what the view shows at `time` and writes it to `path`, with what is needed to know the picture again.
-void writePicture(View& view, render::GlRenderer& renderer, const std::string& path, double time,
+void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,
                   lighting::TermSet terms, int width, int height, const Options& options);
 
 }  // namespace lab

@@ -21,7 +21,7 @@ THREE::Sphere worldBounds(const THREE::Scene& scene) {
         const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object);
         if (mesh == nullptr || !mesh->geometry || mesh->geometry->vertexCount() == 0)
             return;
-        const THREE::Box3 box = mesh->geometry->computeBoundingBox();
+        const THREE::Box3 box = mesh->geometry->boundingBox();
         for (int corner = 0; corner < 8; ++corner) {
             const Vector3 p = mesh->matrixWorld.applyTo({(corner & 1) != 0 ? box.max.x : box.min.x,
                                                          (corner & 2) != 0 ? box.max.y : box.min.y,

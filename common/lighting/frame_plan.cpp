@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "lighting/frame_plan.hpp"
 
+#include "lighting/float_range.hpp"
 #include "three/validate.hpp"
 
 #include <algorithm>
@@ -30,10 +31,25 @@ glm::dvec3 toVec(const THREE::Color& c) { return {c.r, c.g, c.b}; }
 
 bool isZero(const glm::dvec3& v) { return v == glm::dvec3(0); }
 
-glm::dmat4 relativeTo(const glm::dvec3& anchor, const THREE::Matrix4& world) {
-    glm::dmat4 m = world.elements;
-    m[3] -= glm::dvec4(anchor, 0) * m[3].w;
-    return m;
+// World units in a frame unit. Where the view is about as large as a room, a town or a hand, that is 1; where it is so small or
+// large that squared distances would leave the range of floats, the power of two that brings it to about 1, as far as
+// everything in the scene, some of it perhaps a world away, still fits.
+double frameUnit(const THREE::Scene& scene, const Settings& settings, const glm::dvec3& anchor) {
+    if (settings.focusDistance >= 0x1p-16 && settings.focusDistance <= 0x1p16)
+        return 1;
+    double farthest = settings.focusDistance;
+    scene.traverseVisible([&](const THREE::Object3D& object) {
+        if (const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object)) {
+            const glm::dmat4& m = mesh->matrixWorld.elements;
+            const THREE::Sphere& sphere = mesh->geometry->boundingSphere();
+            const glm::dvec3 center(m * glm::dvec4(glm::dvec3(sphere.center), 1));
+            const double stretch = std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
+                                             glm::length(glm::dvec3(m[2]))});
+            farthest =
+                std::max(farthest, glm::length(center - anchor) + std::max(sphere.radius, 0.0) * stretch);
+        }
+    });
+    return powerOfTwoBelow(std::max(settings.focusDistance, farthest * 0x1p-100));
 }
 
 int decayGroup(const PointAddend& light) {
@@ -42,10 +58,16 @@ int decayGroup(const PointAddend& light) {
 
 class Planner {
   public:
-    Planner(const THREE::PerspectiveCamera& camera, const Settings& settings) : settings_(settings) {
+    Planner(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, const Settings& settings)
+        : settings_(settings) {
         plan_.anchor = snapToGrid(settings.focus, settings.focusDistance);
-        view_ = glm::inverse(relativeTo(plan_.anchor, camera.matrixWorld));
+        plan_.unit = frameUnit(scene, settings, plan_.anchor);
+        // The camera itself keeps its size, so that view space is world units turned into frame units, and near and far are.
+        glm::dmat4 place = camera.matrixWorld.elements;
+        place[3] = glm::dvec4((glm::dvec3(place[3]) - plan_.anchor) / plan_.unit, 1);
+        view_ = glm::inverse(place);
         projection_ = camera.projectionMatrix();
+        projection_[3][2] /= plan_.unit;
     }
 
     FramePlan run(const THREE::Scene& scene) {
@@ -102,10 +124,21 @@ class Planner {
         }
     }
 
+    // Object space to frame space.
+    glm::dmat4 toFrame(const glm::dmat4& world) const {
+        glm::dmat4 m = world;
+        m[3] -= glm::dvec4(plan_.anchor, 0);
+        for (int column = 0; column < 4; ++column)
+            m[column] = glm::dvec4(glm::dvec3(m[column]) / plan_.unit, m[column].w);
+        return m;
+    }
+
     void addAddend(const THREE::Light& light, const glm::dvec3& color) {
         if (const auto* point = dynamic_cast<const THREE::PointLight*>(&light)) {
             const glm::dvec3 position = glm::dvec3(point->matrixWorld.position()) - plan_.anchor;
-            plan_.point.push_back({position, color, light.intensity, point->decay, point->distance});
+            PointAddend addend{position, color, light.intensity, point->decay, point->distance};
+            fitToFloats(addend, plan_.unit, settings_.terms.has(Term::attenuation));
+            plan_.point.push_back(addend);
         } else if (const auto* directional = dynamic_cast<const THREE::DirectionalLight*>(&light)) {
             plan_.directional.push_back({directional->directionTowardsLight(), color, light.intensity});
         }
@@ -152,8 +185,7 @@ class Planner {
         const THREE::Sphere& sphere = geometry.boundingSphere();
         // Vertices far from their own origin (a map's coordinates) keep their digits: the near origin is zero.
         draw.origin = snapToGrid(sphere.center, std::max(sphere.radius, 1e-30) * 16);
-        draw.model =
-            relativeTo(plan_.anchor, mesh.matrixWorld) * glm::translate(glm::dmat4(1.0), draw.origin);
+        draw.model = toFrame(mesh.matrixWorld.elements) * glm::translate(glm::dmat4(1.0), draw.origin);
         draw.normalMatrix = THREE::normalMatrix(mesh.matrixWorld.elements);
         draw.clip = projection_ * view_ * draw.model;
         draw.mirrored = glm::determinant(glm::dmat3(mesh.matrixWorld.elements)) < 0;
@@ -168,6 +200,7 @@ class Planner {
         if (material.isLit()) {
             draw.variant = lights;
             draw.variant.doubleSided = material.side != THREE::FrontSide;
+            draw.variant.scaled = needsScaling(plan_, draw, geometry.boundingBox(), sphere);
             plan_.litMeshes = true;
             plan_.emissive |= !isZero(draw.emitted);
             plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
@@ -206,7 +239,7 @@ class Planner {
 
 FramePlan planFrame(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                     const Settings& settings) {
-    return Planner(camera, settings).run(scene);
+    return Planner(scene, camera, settings).run(scene);
 }
 
 Text idleReason(Term term, const FramePlan& plan) {

@@ -34,11 +34,12 @@ struct DirectionalAddend {
 
 /// An addend whose light comes from a point (slides 29-31).
 struct PointAddend {
-    glm::dvec3 position;  ///< world space, relative to the anchor
-    glm::dvec3 color;  ///< L = color x intensity
-    double intensity;  ///< what stays when light_color is off
+    glm::dvec3 position;  ///< frame space
+    glm::dvec3 color;  ///< L = color x intensity x 2^exponent, for distances in frame units
+    double intensity;  ///< what stays of color when light_color is off
     double decay;  ///< k of f(d) = 1/d^k
-    double distance;  ///< where the window reaches 0, world units; 0: no window
+    double distance;  ///< where the window reaches 0, frame units; 0: no window
+    double exponent = 0;  ///< not 0 only where color would not fit in a float
 };
 
 /// What decides which shader is compiled: only what this scene has. The point lights stand sorted by exponent.
@@ -48,6 +49,7 @@ struct Variant {
     bool doubleSided = false;  ///< the normal is turned on back faces
     bool ambient = false;  ///< there is an ambient light
     bool window = false;  ///< some point light has a `distance`
+    bool scaled = false;  ///< numbers here leave the range of floats: shaders/range.glsl scales them
     bool countNonfinite = false;  ///< writes a second target, see Settings
     int directional = 0;  ///< number of directional lights
     int decay0 = 0;  ///< number of point lights with k = 0
@@ -59,18 +61,18 @@ struct Variant {
     auto operator<=>(const Variant&) const = default;
 };
 
-/// One mesh to draw. Matrices are formed in double and rounded to float once, by the renderer.
+/// One mesh to draw. Frame space is world space about the anchor, in units of FramePlan::unit. Matrices are formed in double and rounded to float once, by the renderer.
 struct Draw {
     const THREE::Mesh* mesh = nullptr;
     glm::dvec3 origin{0};  ///< object space; vertices are uploaded relative to it, which the matrices undo
-    glm::dmat4 model;  ///< object space to world space relative to the anchor
-    glm::dmat3 normalMatrix;  ///< normals of object space to world space, see THREE::normalMatrix
+    glm::dmat4 model;  ///< object space to frame space
+    glm::dmat3 normalMatrix;  ///< normals of object space to frame space, see THREE::normalMatrix
     glm::dmat4 clip;  ///< object space to clip space
     glm::dvec3 albedo;  ///< D, or the pixel's colour for an unlit material
     glm::dvec3 emitted;  ///< added after the sum
     Variant variant;
     bool mirrored = false;  ///< the model matrix turns triangles round: front faces are clockwise
-    double nearestDepth = 0;  ///< of its bounding sphere, view space; draws are sorted by it
+    double nearestDepth = 0;  ///< of its bounding sphere, view space in frame units; draws are sorted by it
 };
 
 /// Something that the frame does without, exactly.
@@ -83,6 +85,8 @@ struct Skipped {
 struct FramePlan {
     glm::dvec3 background{0};
     glm::dvec3 anchor{0};  ///< world space: the origin that positions are relative to, on a power-of-two grid
+    double unit =
+        1;  ///< world units in a frame unit: 1, or a power of two where the view is very small or very large
     glm::dvec3 ambient{0};  ///< sum of the ambient lights: L_A
     std::vector<DirectionalAddend> directional;
     std::vector<PointAddend> point;  ///< sorted by exponent: 0, 1, 2, others; scene order within each

@@ -91,7 +91,9 @@ HeadlessContext::HeadlessContext() {
         tried += "\n  EGL device platform: no device";
     throw NoRenderer(
         "no way to draw without a window; expected an EGL driver with OpenGL ES 3.0. Tried:" + tried +
-        "\n  Install Mesa's software driver (apt-get install libegl-mesa0 libgl1-mesa-dri) and try again.");
+        "\n  Install Mesa's software driver (apt-get install libegl-mesa0 libgl1-mesa-dri) and try again, or "
+        "draw "
+        "without any driver: --renderer reference");
 }
 
 HeadlessContext::~HeadlessContext() {

@@ -34,6 +34,13 @@ RenderTarget& GlRenderer::target(const FrameRequest& request, bool countNonfinit
     return *target_;
 }
 
+GlRenderer::~GlRenderer() { glDeleteTextures(1, &shown_); }
+
+image::Frame GlRenderer::render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                                const lighting::Settings& settings, const FrameRequest& request) {
+    return render(lighting::planFrame(scene, camera, settings), settings, request);
+}
+
 image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting::Settings& settings,
                                 const FrameRequest& request) {
     RenderTarget& into = target(request, settings.countNonfinite);
@@ -48,10 +55,10 @@ image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting:
     return frame;
 }
 
-void GlRenderer::renderOnly(const lighting::FramePlan& plan, const lighting::Settings& settings,
-                            const FrameRequest& request) {
+void GlRenderer::renderOnly(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                            const lighting::Settings& settings, const FrameRequest& request) {
     target(request, settings.countNonfinite).bind();
-    draw(plan, settings, request.width, request.height);
+    draw(lighting::planFrame(scene, camera, settings), settings, request.width, request.height);
     glFinish();
 }
 
@@ -61,10 +68,39 @@ void GlRenderer::drawToWindow(const lighting::FramePlan& plan, const lighting::S
     draw(plan, settings, width, height);
 }
 
+void GlRenderer::showInWindow(const image::Frame& frame) {
+    const image::Bytes codes = image::toBytes(frame);
+    std::vector<std::uint8_t> upwards;  // the window's first row is the lowest
+    upwards.reserve(codes.size());
+    const auto row = static_cast<std::ptrdiff_t>(frame.width) * 3;
+    for (auto end = codes.end(); end != codes.begin(); end -= row)
+        upwards.insert(upwards.end(), end - row, end);
+    if (shown_ == 0)
+        glGenTextures(1, &shown_);
+    glBindTexture(GL_TEXTURE_2D, shown_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, frame.width, frame.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 upwards.data());
+    GLuint reading = 0;
+    glGenFramebuffers(1, &reading);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, reading);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shown_, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, frame.width, frame.height, 0, 0, frame.width, frame.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &reading);
+}
+
 void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
                       int height) {
     const std::uint64_t before = geometries_.uploadedBytes() + lights_.uploadedBytes();
     stats_ = FrameStats{};
+    stats_.meshesSkipped = plan.meshesSkipped;
+    stats_.lightsUsed = plan.lightsUsed;
+    stats_.lightsSkipped = plan.lightsSkipped;
+    stats_.skipped = plan.skipped;
     glViewport(0, 0, width, height);
     glEnable(GL_DEPTH_TEST);  // a panel drawn over the last frame may have changed it
     glDepthMask(GL_TRUE);
@@ -120,6 +156,7 @@ void GlRenderer::drawMesh(const lighting::Draw& draw, const lighting::Settings& 
         glDrawElements(GL_TRIANGLES, geometry.count, GL_UNSIGNED_INT, nullptr);
     else
         glDrawArrays(GL_TRIANGLES, 0, geometry.count);
+    stats_.variants.insert(draw.variant);
     ++stats_.drawCalls;
     ++stats_.meshesDrawn;
     stats_.triangles += geometry.count / 3;

@@ -16,18 +16,26 @@ namespace render {
 class GlRenderer final : public Renderer {
   public:
     explicit GlRenderer(std::string shaderDirectory);
+    ~GlRenderer() override;
+    GlRenderer(const GlRenderer&) = delete;
+    GlRenderer& operator=(const GlRenderer&) = delete;
 
-    image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
-                        const FrameRequest& request) override;
+    image::Frame render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                        const lighting::Settings& settings, const FrameRequest& request) override;
+    /// Draws into a target of the renderer's own without reading it back; waits until it is done.
+    void renderOnly(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                    const lighting::Settings& settings, const FrameRequest& request) override;
     FrameStats stats() const override { return stats_; }
     std::string name() const override;
 
-    /// Draws into a target of the renderer's own without reading it back, for timing; waits until it is done.
-    void renderOnly(const lighting::FramePlan& plan, const lighting::Settings& settings,
-                    const FrameRequest& request);
+    /// Draws a plan instead of a scene; tests change plans by hand.
+    image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
+                        const FrameRequest& request);
     /// Draws into the window whose context is current.
     void drawToWindow(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
                       int height);
+    /// Copies a frame of another renderer into the window whose context is current.
+    void showInWindow(const image::Frame& frame);
 
   private:
     void draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width, int height);
@@ -38,6 +46,7 @@ class GlRenderer final : public Renderer {
     GpuGeometries geometries_;
     GpuLights lights_;
     std::unique_ptr<RenderTarget> target_;
+    GLuint shown_ = 0;  // texture of showInWindow
     FrameStats stats_;
 };
 

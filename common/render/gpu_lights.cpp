@@ -39,7 +39,7 @@ void GpuLights::set(const lighting::FramePlan& plan) {
         write(i, 0, light.position, 0);
         write(i, 1, light.color, light.intensity);
         const double perDistance = light.distance > 0 ? 1 / light.distance : 0;
-        write(i++, 2, {perDistance * perDistance, light.decay, 0}, 0);
+        write(i++, 2, {perDistance, light.decay, light.exponent}, 0);
     }
     for (int channel = 0; channel < 3; ++channel)
         data_[count_ * 12 + static_cast<std::size_t>(channel)] = toFloat(plan.ambient[channel]);

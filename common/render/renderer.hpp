@@ -6,8 +6,11 @@
 #include "lighting/frame_plan.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace render {
 
@@ -16,6 +19,11 @@ struct FrameStats {
     int drawCalls = 0;
     long long triangles = 0;
     int meshesDrawn = 0;
+    int meshesSkipped = 0;
+    int lightsUsed = 0;  ///< ambient ones included
+    int lightsSkipped = 0;
+    std::vector<lighting::Skipped> skipped;  ///< what and why
+    std::set<lighting::Variant> variants;  ///< the shaders that drew; none where there are no shaders
     std::uint64_t uploadedBytes = 0;  ///< by this frame: vertices, indices, lights
     double compileMilliseconds = 0;  ///< since the renderer began
     std::optional<long long> nonfinite;  ///< pixels that met NaN or infinity; none: not counted
@@ -28,13 +36,21 @@ struct FrameRequest {
     bool floats = false;  ///< linear, unclamped floats instead of 8-bit codes
 };
 
+/// Is told the share of a slow frame that is done, 0 to 1.
+using Progress = std::function<void(double share)>;
+
 /// Draws frames. The matrices of scene and camera must be up to date and validated.
 class Renderer {
   public:
     virtual ~Renderer() = default;
-    /// Draws one frame of a plan and returns it. Throws NoRenderer, ShaderError.
-    virtual image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
-                                const FrameRequest& request) = 0;
+    /// Draws one frame and returns it. Throws NoRenderer, ShaderError.
+    virtual image::Frame render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                                const lighting::Settings& settings, const FrameRequest& request) = 0;
+    /// The same without handing the frame over, for timing.
+    virtual void renderOnly(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                            const lighting::Settings& settings, const FrameRequest& request) {
+        render(scene, camera, settings, request);
+    }
     /// Of the last frame.
     virtual FrameStats stats() const = 0;
     /// The driver's own name for itself.

@@ -122,6 +122,7 @@ std::string preamble(const lighting::Variant& v, bool fragment, bool lightsInTex
         for (const lighting::TermInfo& row : lighting::terms())
             define(row.define, static_cast<int>(v.terms >> static_cast<unsigned>(row.term) & 1U));
         define("WINDOW", v.window);
+        define("SCALED", v.scaled);
         define("NUM_DIRECTIONAL_LIGHTS", v.directional);
         define("NUM_POINT_LIGHTS", v.point());
         define("END_DECAY_0", v.decay0);

@@ -89,12 +89,13 @@ class BufferGeometry : public Resource {
     Box3 computeBoundingBox() const;
     /// Centre of the bounding box, radius to the farthest vertex, as three.js's.
     Sphere computeBoundingSphere() const;
-    /// The same, computed once per version.
+    /// The same two, computed once per version.
+    const Box3& boundingBox() const {
+        updateBounds();
+        return box_;
+    }
     const Sphere& boundingSphere() const {
-        if (sphereVersion_ != version_) {
-            sphere_ = computeBoundingSphere();
-            sphereVersion_ = version_;
-        }
+        updateBounds();
         return sphere_;
     }
     /// For validate(): the version whose numbers were last found good, so that a still geometry is read once.
@@ -105,8 +106,17 @@ class BufferGeometry : public Resource {
     std::uint64_t version_ = 1;
 
   private:
+    void updateBounds() const {
+        if (boundsVersion_ == version_)
+            return;
+        box_ = computeBoundingBox();
+        sphere_ = computeBoundingSphere();
+        boundsVersion_ = version_;
+    }
+
+    mutable Box3 box_;
     mutable Sphere sphere_;
-    mutable std::uint64_t sphereVersion_ = 0;
+    mutable std::uint64_t boundsVersion_ = 0;
     mutable std::uint64_t validatedVersion_ = 0;
 };
 

@@ -50,8 +50,8 @@ struct Obj {
     bool hasSmoothing = false;
 };
 
-Obj read(const std::string& file, std::vector<std::string>& notes) {
-    const ObjText checked = checkObj(readSceneFile(file), file);
+Obj read(const std::string& text, const std::string& file, std::vector<std::string>& notes) {
+    const ObjText checked = checkObj(text, file);
     for (const std::string& note : checked.notes)
         notes.push_back(file + ": " + note);
     Obj obj;
@@ -175,10 +175,12 @@ LoadedScene build(const Obj& obj) {
 
 }  // namespace
 
-LoadedScene loadObj(const std::string& file) {
+LoadedScene loadObj(const std::string& file) { return parseObj(readSceneFile(file), file); }
+
+LoadedScene parseObj(const std::string& text, const std::string& file) {
     try {
         std::vector<std::string> notes;
-        const Obj obj = read(file, notes);
+        const Obj obj = read(text, file, notes);
         LoadedScene loaded = build(obj);
         if (loaded.scene->children().empty())
             throw SceneError(file +

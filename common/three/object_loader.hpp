@@ -31,6 +31,8 @@ class ObjectLoader {
 
 /// A Wavefront .obj as one mesh per shape: its normals or, where it has none, computed ones; Kd as a Lambert colour.
 LoadedScene loadObj(const std::string& file);
+/// The same from text. `file` is named in messages, and its .mtl files are looked for beside it.
+LoadedScene parseObj(const std::string& text, const std::string& file);
 
 /// three.js's JSON of `object` and everything below it; `camera`, if given and not inside, is written as its first child,
 /// so that it is the one that a reader finds. Numbers are written so that reading them gives the same doubles.

@@ -5,7 +5,7 @@ uniform vec3 ambientLight;  // L_A, the sum of all ambient lights
 vec3 add_ambient_light(vec3 P, vec3 D)
 {
 #if TERM_AMBIENT
-    P += D * ambientLight;
+    P = add(P, D * ambientLight);
 #endif
     return P;
 }

@@ -4,7 +4,7 @@ vec3 add_directional_lights(vec3 P, vec3 n, vec3 D)
 {
 #if TERM_DIRECTIONAL
     for (int i = 0; i < NUM_DIRECTIONAL_LIGHTS; ++i)
-        P += clamp_cosine(cosine(n, directional_w(i))) * D * light_color(directional_L(i));
+        P = add(P, clamp_cosine(cosine(n, directional_w(i))) * D * light_color(directional_L(i)));
 #endif
     return P;
 }

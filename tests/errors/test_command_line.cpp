@@ -60,6 +60,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"jitter_text", {lesson, "--frame", "a.png", "--jitter", "x"}, 2, "whole number"},
         Case{"frames_zero", {lesson, "--frames", "0"}, 2, "1000000"},
         Case{"lang_unknown", {lesson, "--lang", "fr"}, 2, "fr"},
+        Case{"renderer_unknown",
+             {lesson, "--frame", "a.png", "--renderer", "vulkan"},
+             2,
+             "--renderer: expected gl or reference, found 'vulkan'"},
         Case{"no_scene_file", {"scene_viewer"}, 2, "file"}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -230,7 +234,7 @@ TEST(Information, HelpVersionAndTerms) {
     EXPECT_EQ(help.status, 0);
     for (const char* option : {"--frame", "--size", "--time", "--terms", "--decay", "--camera", "--jitter",
                                "--no-skip", "--shaders", "--frames", "--stats", "--dump-scene",
-                               "--dump-shader", "--list-terms", "--lang", "--version"})
+                               "--dump-shader", "--list-terms", "--lang", "--renderer", "--version"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
     EXPECT_NE(support::run({lesson, "--version"}, directory.path()).out.find("lesson_04_ambient"),
               std::string::npos);

@@ -33,8 +33,8 @@ void expectSameThroughJson(const THREE::Scene& scene, const THREE::PerspectiveCa
     loaded.scene->updateMatrixWorld();
     THREE::validate(*loaded.scene, *loaded.camera);
     const image::Frame found =
-        renderer().render(lighting::planFrame(*loaded.scene, *loaded.camera, options.settings),
-                          options.settings, {options.width, options.height, options.floats});
+        renderer().render(*loaded.scene, *loaded.camera, options.settings,
+                          {options.width, options.height, options.floats});
     EXPECT_TRUE(found.pixels == expected.pixels) << "drawn through a scene file, the frame differs";
 }
 
@@ -48,7 +48,7 @@ Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOpti
     const render::FrameRequest request{options.width, options.height, options.floats};
     lighting::Settings settings = options.settings;
     settings.countNonfinite = true;
-    renderer().render(lighting::planFrame(scene, camera, settings), settings, request);
+    renderer().render(scene, camera, settings, request);
     EXPECT_EQ(renderer().stats().nonfinite, 0) << "pixels met NaN or infinity";
     settings.countNonfinite = options.settings.countNonfinite;
     Drawn drawn;

@@ -1,0 +1,146 @@
+// The lighting equation on the CPU, in any scalar: the independent evaluation that frames are judged by. Laid out like
+// shaders/lighting.glsl and written without it, so that the two can be read side by side.
+//
+//     P  =  ( sum_i  max(0, n . w_i)  f(d_i)  D (x) L_i )  +  D (x) L_A        (slide 42)
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lighting/terms.hpp"
+#include "three/lights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
+
+namespace lighting::reference {
+
+template <class T>
+using Vec3 = glm::vec<3, T>;
+
+/// A directional or a point light. An ambient one is only a colour.
+template <class T>
+struct Light {
+    const THREE::Light* source;  ///< the light of the scene
+    Vec3<T>
+        place;  ///< unit vector towards a directional light; position of a point light, world space relative to the eye
+    Vec3<T> L;  ///< colour x intensity (slide 26)
+    T intensity;  ///< what stays when light_color is off
+    T decay;  ///< k of f(d) = 1 / d^k (slide 31)
+    T distance;  ///< where three.js's window reaches 0, world units; 0: no window
+};
+
+/// What one light adds to one point, with every factor on the way.
+template <class T>
+struct Addend {
+    const THREE::Light* light;
+    Vec3<T> w;  ///< unit vector towards the light, world space; zero if the light is in the very point
+    T d;  ///< distance to the light, world units; 0 for a directional light, which has none
+    T cosine;  ///< n . w, before the clamp
+    T clamped;  ///< max(0, n . w)
+    T f;  ///< attenuation
+    Vec3<T> L;  ///< the light's colour x intensity
+    Vec3<T> value;  ///< clamped f D (x) L
+};
+
+/// The lights of a scene and the symbols that are on.
+template <class T>
+class Equation {
+  public:
+    TermSet terms = TermSet::all();
+    std::vector<Light<T>> directionalLights, pointLights;  ///< each in the order of the scene
+    Vec3<T> ambientLight{T(0)};  ///< L_A, the sum of all ambient lights
+    int ambientLights = 0;  ///< how many it is the sum of
+
+    /// n: unit normal (or zero: none), Q: the point, both in world space, Q relative to the eye; D: base colour.
+    /// `each` is called with the Addend of every light.
+    template <class Each>
+    Vec3<T> lighting(const Vec3<T>& n, const Vec3<T>& Q, Vec3<T> D, const Each& each) const {
+        D = albedo(D);
+        Vec3<T> P{T(0)};
+        const auto add = [&P, &each](const Addend<T>& addend) {
+            P += addend.value;
+            each(addend);
+        };
+        if (terms.has(Term::directional))
+            for (const Light<T>& light : directionalLights)
+                add(directionalLight(light, n, D));
+        if (terms.has(Term::point))
+            for (const Light<T>& light : pointLights)
+                add(pointLight(light, n, Q, D));
+        return P + ambient(D);
+    }
+    Vec3<T> lighting(const Vec3<T>& n, const Vec3<T>& Q, const Vec3<T>& D) const {
+        return lighting(n, Q, D, [](const Addend<T>&) {});
+    }
+
+    // The factors. Off, each is 1 (slides in terms.cpp).
+    Vec3<T> albedo(const Vec3<T>& D) const { return terms.has(Term::albedo) ? D : Vec3<T>(T(1)); }
+    T cosine(const Vec3<T>& n, const Vec3<T>& w) const {
+        return terms.has(Term::cosine) ? glm::dot(n, w) : T(1);
+    }
+    T clamp(T x) const { return terms.has(Term::clamp) && x < T(0) ? T(0) : x; }
+    T attenuation(T d, T perDistance, const Light<T>& light) const {
+        return terms.has(Term::attenuation) ? power(perDistance, light.decay) * window(d, light.distance)
+                                            : T(1);
+    }
+    Vec3<T> lightColor(const Light<T>& light) const {
+        return terms.has(Term::lightColor) ? light.L : Vec3<T>(light.intensity);
+    }
+
+    // The addends. Off, each is 0.
+    Vec3<T> ambient(const Vec3<T>& D) const {
+        return terms.has(Term::ambient) ? D * ambientLight : Vec3<T>(T(0));
+    }
+    Addend<T> directionalLight(const Light<T>& light, const Vec3<T>& n, const Vec3<T>& D) const {
+        return product(light, light.place, T(0), T(1), n, D);
+    }
+    Addend<T> pointLight(const Light<T>& light, const Vec3<T>& n, const Vec3<T>& Q, const Vec3<T>& D) const {
+        using std::sqrt;
+        const Vec3<T> v = light.place - Q;
+        const T d = sqrt(glm::dot(v, v));
+        // A light in the very point has no direction and adds nothing.
+        const T perDistance = d > T(0) ? T(1) / d : T(0);
+        const T f = d > T(0) ? attenuation(d, perDistance, light) : T(0);
+        return product(light, v * perDistance, d, f, n, D);
+    }
+
+  private:
+    Addend<T> product(const Light<T>& light, const Vec3<T>& w, T d, T f, const Vec3<T>& n,
+                      const Vec3<T>& D) const {
+        const T c = cosine(n, w);
+        const T clamped = clamp(c);
+        const Vec3<T> L = lightColor(light);
+        return {light.source, w, d, c, clamped, f, L, (clamped * f) * (D * L)};
+    }
+
+    // (1/d)^k, up to a factor that no picture can tell from infinity and that keeps every product finite
+    static T power(T perDistance, T k) {
+        using std::pow;
+        const T factor = k == T(2)   ? perDistance * perDistance
+                         : k == T(1) ? perDistance
+                         : k == T(0) ? T(1)
+                                     : pow(perDistance, k);
+        return factor < largestFactor() ? factor : largestFactor();
+    }
+
+    // three.js: pow2(saturate(1 - pow4(d / distance)))
+    static T window(T d, T distance) {
+        if (!(distance > T(0)))
+            return T(1);
+        if (!(d < distance))
+            return T(0);
+        const T r = d / distance;
+        const T rest = T(1) - (r * r) * (r * r);
+        return rest * rest;
+    }
+
+    static T largestFactor() {
+        return T(std::ldexp(1.0, std::min(400, std::numeric_limits<T>::max_exponent * 2 / 5)));
+    }
+};
+
+}  // namespace lighting::reference

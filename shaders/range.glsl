@@ -1,0 +1,36 @@
+// Keeps numbers inside the range of floats where a scene's distances or strengths are extreme (SCALED: the frame plan
+// says so, draw by draw). In every other scene these functions are nothing: v itself, x itself, a plain sum.
+// SPDX-License-Identifier: MIT
+#if SCALED
+
+const float LARGEST = 3.4028234e38;
+
+// 2^e as a float, e from -126 to 127
+float power_of_two(int e) { return uintBitsToFloat(uint(e + 127) << 23); }
+
+// Brings the largest component of v to between 1 and 2 and returns the e of v_before = v_after 2^e.
+int shrink(inout vec3 v)
+{
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    int e = clamp(int(floatBitsToUint(largest) >> 23) - 127, -126, 126);
+    v *= power_of_two(-e);
+    return e;
+}
+
+// x 2^e, in two steps so that neither leaves the range before the other brings it back
+vec3 times_power_of_two(vec3 x, float e)
+{
+    e = clamp(e, -252.0, 252.0);
+    int whole = int(floor(e));
+    return x * exp2(e - float(whole)) * power_of_two(whole / 2) * power_of_two(whole - whole / 2);
+}
+
+vec3 add(vec3 P, vec3 x) { return clamp(P + x, -LARGEST, LARGEST); }
+
+#else
+
+int shrink(inout vec3 v) { return 0; }
+vec3 times_power_of_two(vec3 x, float e) { return x; }
+vec3 add(vec3 P, vec3 x) { return P + x; }
+
+#endif
