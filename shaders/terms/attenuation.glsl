@@ -24,8 +24,8 @@ float attenuation_exponent(float d2, int e, float k, float light_exponent)
 float attenuation_window(float d2, int e, float per_distance)
 {
 #if WINDOW && SCALED
-    float r = sqrt(d2) * per_distance;  // d / distance, but for 2^e; beyond 1 it does not matter how far
-    float x = r < exp2(-float(e)) ? r * r * exp2(2.0 * float(e)) : 1.0;
+    float r = sqrt(d2) * per_distance * power_of_two(e);  // d / distance
+    float x = r < 1.0 ? r * r : 1.0;                      // beyond 1 it does not matter how far
 #elif WINDOW
     float x = d2 * per_distance * per_distance;  // (d / distance)^2
 #else

@@ -5,6 +5,7 @@
 vec3 point_light(int i, vec3 n, vec3 Q, vec3 D, float k)
 {
     vec3 v = point_position(i) - Q;  // towards the light, as long as it is far
+    watch(v);
     int e = shrink(v);               // 0 unless distances are extreme
     float d2 = dot(v, v);            // d^2
     float divisor = cosine_divisor(d2) * attenuation_divisor(d2, k);

@@ -67,6 +67,29 @@ TEST_F(ObjLoader, readsDoublesNormalsAndTextureCoordinates) {
     EXPECT_EQ(geometry.getAttribute("uv"), nullptr) << "not every corner has one";
 }
 
+// At \r alone too: tinyobjloader ends lines there, so a line that is checked must end there as well.
+TEST_F(ObjLoader, endsLinesAsEverySystemDoes) {
+    for (const char* const end : {"\n", "\r\n", "\r"}) {
+        std::string text;
+        for (const char* const line : {"o a  b", "v 0 0 0", "v 1 0 0", "", "\tv 0 1 0 ", "f 1 2 3"})
+            text.append(line).append(end);
+        const auto loaded = load(text);
+        EXPECT_EQ(mesh(loaded, 0).geometry->vertexCount(), 3U);
+        EXPECT_EQ(mesh(loaded, 0).name, "a b");
+        EXPECT_EQ(refusal(text + "x" + end),
+                  "line 7: expected a Wavefront keyword such as v, vn, f or usemtl "
+                  "(free-form surfaces are not supported), found x");
+    }
+    EXPECT_EQ(refusal("v 0 0 0\nv\r1 0 0\r\nv 0 1 0\nf 1 2 3\n"),
+              "line 2: expected 3 numbers after v, found 0");
+}
+
+TEST_F(ObjLoader, readsTextWithItsMaterialsBesideTheFile) {
+    const std::string mtl = write("m.mtl", "newmtl a\rKd 1 0 0\r");
+    const auto loaded = THREE::parseObj("mtllib m.mtl\nusemtl a\n" + square + "f 1 2 3\n", mtl);
+    EXPECT_EQ(mesh(loaded, 0).material->color, THREE::Color(1, 0, 0));
+}
+
 TEST_F(ObjLoader, smoothsAsTheFileSays) {
     // Two triangles of a roof along the edge from 1 to 2.
     const std::string roof = "v 0 0 0\nv 1 0 0\nv 0 -1 1\nv 0 -1 -1\n";

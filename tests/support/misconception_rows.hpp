@@ -1,0 +1,122 @@
+// What the rows of the catalogue share: the slides' equation in the pieces that students get wrong.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lighting/reference/geometry.hpp"
+#include "support/misconceptions.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+namespace support::rows {
+
+using glm::dmat3;
+using glm::dmat4;
+using glm::dvec3;
+using glm::dvec4;
+using lighting::reference::unit;  // the zero vector stays zero
+
+inline dvec3 positionBy(const dmat4& m, const dvec3& v) { return dvec3(m * dvec4(v, 1)); }
+
+/// w: the unit vector towards a lamp.
+inline dvec3 w(const WrongInput& p, const Lamp& lamp) {
+    return unit(lamp.point ? lamp.position - p.Q : lamp.towards);
+}
+
+/// d: the distance to a lamp.
+inline double distanceTo(const WrongInput& p, const Lamp& lamp) { return glm::length(lamp.position - p.Q); }
+
+/// three.js's window, 1 where there is none.
+inline double window(const Lamp& lamp, double d) {
+    if (lamp.distance <= 0)
+        return 1;
+    const double rest = 1 - std::pow(std::min(d / lamp.distance, 1.0), 4);
+    return rest * rest;
+}
+
+/// f(d) of a lamp; 1 for a directional one.
+inline double attenuation(const WrongInput& p, const Lamp& lamp) {
+    const double d = distanceTo(p, lamp);
+    return lamp.point ? std::pow(d, -lamp.decay) * window(lamp, d) : 1;
+}
+
+/// max(0, n . w)
+inline double cosine(const WrongInput& p, const Lamp& lamp) {
+    return std::max(0.0, glm::dot(p.n, w(p, lamp)));
+}
+
+/// The sum over the lamps of what `addend` says.
+template <class Addend>
+dvec3 sum(const WrongInput& p, const Addend& addend) {
+    dvec3 P(0);
+    for (const Lamp& lamp : p.lamps)
+        P += addend(lamp);
+    return P;
+}
+
+/// What one lamp adds.
+inline dvec3 addend(const WrongInput& p, const Lamp& lamp) {
+    return cosine(p, lamp) * attenuation(p, lamp) * p.D * lamp.L();
+}
+
+/// The sum of the slides, without ambient.
+inline dvec3 diffuse(const WrongInput& p) {
+    return sum(p, [&](const Lamp& lamp) { return addend(p, lamp); });
+}
+
+/// What is added whatever the lamps do.
+inline dvec3 rest(const WrongInput& p) { return p.D * p.ambient + p.emitted; }
+
+/// The whole right equation.
+inline dvec3 lambert(const WrongInput& p) { return diffuse(p) + rest(p); }
+
+/// The right equation but for the factor that stands for max(0, n . w).
+template <class Factor>
+dvec3 withCosine(const WrongInput& p, const Factor& factor) {
+    return sum(p, [&](const Lamp& lamp) { return factor(lamp) * attenuation(p, lamp) * p.D * lamp.L(); }) +
+           rest(p);
+}
+
+/// The right equation but for the power law of the point lights, law(lamp, d).
+template <class Law>
+dvec3 withAttenuation(const WrongInput& p, const Law& law) {
+    return sum(p,
+               [&](const Lamp& lamp) {
+                   const double d = distanceTo(p, lamp);
+                   const double f = lamp.point ? law(lamp, d) * window(lamp, d) : 1;
+                   return cosine(p, lamp) * f * p.D * lamp.L();
+               }) +
+           rest(p);
+}
+
+/// The right equation with another normal.
+inline dvec3 withNormal(WrongInput p, const dvec3& n) {
+    p.n = n;
+    return lambert(p);
+}
+
+/// The right equation with the lamps carried somewhere else by a matrix.
+inline WrongInput lampsMovedBy(const dmat4& m, WrongInput p) {
+    for (Lamp& lamp : p.lamps) {
+        lamp.position = positionBy(m, lamp.position);
+        lamp.towards = dmat3(m) * lamp.towards;
+    }
+    return p;
+}
+
+/// The right equation evaluated in another space, everything carried there by a matrix, normals too.
+inline dvec3 inSpace(const dmat4& m, const WrongInput& p) {
+    WrongInput q = lampsMovedBy(m, p);
+    q.Q = positionBy(m, p.Q);
+    q.n = unit(dmat3(m) * p.n);
+    return lambert(q);
+}
+
+/// The rows by their letters.
+std::vector<Misconception> lightRows();  ///< A, B, D: cosine, directions, attenuation
+std::vector<Misconception> normalRows();  ///< C: normals and spaces
+std::vector<Misconception> colorRows();  ///< E, F, G: ambient, colours, the sum
+std::vector<Misconception> rightRows();  ///< R: right in other words
+
+}  // namespace support::rows
