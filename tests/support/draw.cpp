@@ -3,7 +3,6 @@
 #include "support/draw.hpp"
 
 #include "render/context.hpp"
-#include "render/gl_renderer.hpp"
 #include "render/shader_source.hpp"
 #include "three/object_loader.hpp"
 #include "three/validate.hpp"
@@ -17,13 +16,13 @@ glm::vec3 Drawn::at(int x, int y) const {
     return {floats()[first], floats()[first + 1], floats()[first + 2]};
 }
 
-namespace {
-
 render::GlRenderer& renderer() {
     static const render::HeadlessContext context;
     static render::GlRenderer one(render::findShaderDirectory(""));
     return one;
 }
+
+namespace {
 
 // The same scene, written as three.js JSON and read again, must give the same bytes.
 void expectSameThroughJson(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
@@ -32,9 +31,8 @@ void expectSameThroughJson(const THREE::Scene& scene, const THREE::PerspectiveCa
     ASSERT_NE(loaded.camera, nullptr);
     loaded.scene->updateMatrixWorld();
     THREE::validate(*loaded.scene, *loaded.camera);
-    const image::Frame found =
-        renderer().render(*loaded.scene, *loaded.camera, options.settings,
-                          {options.width, options.height, options.floats});
+    const image::Frame found = renderer().render(*loaded.scene, *loaded.camera, options.settings,
+                                                 {options.width, options.height, options.floats});
     EXPECT_TRUE(found.pixels == expected.pixels) << "drawn through a scene file, the frame differs";
 }
 

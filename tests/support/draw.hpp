@@ -4,7 +4,7 @@
 
 #include "image/frame.hpp"
 #include "lighting/frame_plan.hpp"
-#include "render/renderer.hpp"
+#include "render/gl_renderer.hpp"
 #include "three/three.hpp"
 
 namespace support {
@@ -31,6 +31,9 @@ struct Drawn {
 /// Updates matrices, validates, plans and draws with one context for the whole test program. Every frame is also
 /// counted for NaN and infinity, and drawn again from the scene's JSON: a test fails if there are any, or if it differs.
 Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options = {});
+
+/// The renderer, and the one context, that draw() uses.
+render::GlRenderer& renderer();
 
 /// u, the unit roundoff of float: half the distance from 1 to the next float.
 inline constexpr double u = 0x1p-24;
