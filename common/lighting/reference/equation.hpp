@@ -14,6 +14,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace lighting::reference {
@@ -59,6 +60,9 @@ class Equation {
     /// `each` is called with the Addend of every light.
     template <class Each>
     Vec3<T> lighting(const Vec3<T>& n, const Vec3<T>& Q, Vec3<T> D, const Each& each) const {
+        // Without a listener, what is behind the surface and clamped to 0 is not worth its square root.
+        const bool skipsBehind =
+            std::is_same_v<Each, Silent> && terms.has(Term::cosine) && terms.has(Term::clamp);
         D = albedo(D);
         Vec3<T> P{T(0)};
         const auto add = [&P, &each](const Addend<T>& addend) {
@@ -70,11 +74,12 @@ class Equation {
                 add(directionalLight(light, n, D));
         if (terms.has(Term::point))
             for (const Light<T>& light : pointLights)
-                add(pointLight(light, n, Q, D));
+                if (!skipsBehind || glm::dot(n, light.place - Q) > T(0))
+                    add(pointLight(light, n, Q, D));
         return P + ambient(D);
     }
     Vec3<T> lighting(const Vec3<T>& n, const Vec3<T>& Q, const Vec3<T>& D) const {
-        return lighting(n, Q, D, [](const Addend<T>&) {});
+        return lighting(n, Q, D, Silent{});
     }
 
     // The factors. Off, each is 1 (slides in terms.cpp).
@@ -109,6 +114,10 @@ class Equation {
     }
 
   private:
+    struct Silent {
+        void operator()(const Addend<T>&) const {}
+    };
+
     Addend<T> product(const Light<T>& light, const Vec3<T>& w, T d, T f, const Vec3<T>& n,
                       const Vec3<T>& D) const {
         const T c = cosine(n, w);

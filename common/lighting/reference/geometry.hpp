@@ -28,6 +28,9 @@ template <class T>
 Vec3<T> unit(const Vec3<T>& v) {
     using std::abs;
     using std::sqrt;
+    const T squared = glm::dot(v, v);
+    if (squared > T(1e-30) && squared < T(1e30))
+        return v * (T(1) / sqrt(squared));
     const T largest = std::max({T(abs(v.x)), T(abs(v.y)), T(abs(v.z))});
     if (!(largest > T(0)))
         return Vec3<T>(T(0));

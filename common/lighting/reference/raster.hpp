@@ -149,8 +149,8 @@ Surface<T> Reference<T>::surfaceAt(std::size_t body, std::size_t triangle, const
     const Vertex<T>& v0 = b.corner(triangle, 0);
     const Vertex<T>& v1 = b.corner(triangle, 1);
     const Vertex<T>& v2 = b.corner(triangle, 2);
-    const T sum = inside.x + inside.y + inside.z;
-    Surface<T> s{body, triangle, edges.front, inside / sum, edges.volume / sum, {}, {}};
+    const T perSum = T(1) / (inside.x + inside.y + inside.z);
+    Surface<T> s{body, triangle, edges.front, inside * perSum, edges.volume * perSum, {}, {}};
     s.Q = v0.Q * s.weights.x + v1.Q * s.weights.y + v2.Q * s.weights.z;
     if (b.flat) {
         const Vec3<T> across = glm::cross(v1.Q - v0.Q, v2.Q - v0.Q);
@@ -188,6 +188,14 @@ Vec3<T> Reference<T>::shade(const Surface<T>& s) const {
 
 template <class T>
 void Reference<T>::draw(const Sink& sink, const Progress& progress) const {
+    const auto shaded = [&](int x, int y, const std::optional<Surface<T>>& s) {
+        sink(x, y, s ? shade(*s) : background_);
+    };
+    surfaces(shaded, progress);
+}
+
+template <class T>
+void Reference<T>::surfaces(const SurfaceSink& sink, const Progress& progress) const {
     const int rows = std::clamp(height_ / 16, 1, 64);
     const int bands = (height_ + rows - 1) / rows;
     std::mutex telling;
@@ -198,7 +206,7 @@ void Reference<T>::draw(const Sink& sink, const Progress& progress) const {
         for (int y = first; y < end; ++y)
             for (int x = 0; x < width_; ++x) {
                 const Hit& hit = hits[static_cast<std::size_t>((y - first) * width_ + x)];
-                sink(x, y, hit.body == none ? background_ : shade(*extended(hit.body, hit.triangle, x, y)));
+                sink(x, y, hit.body == none ? std::nullopt : extended(hit.body, hit.triangle, x, y));
             }
         if (progress) {
             const std::lock_guard<std::mutex> lock(telling);

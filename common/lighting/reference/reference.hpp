@@ -56,6 +56,11 @@ class Reference {
     /// Evaluates every pixel, on all cores.
     void draw(const Sink& sink, const Progress& progress = {}) const;
 
+    /// The surface of one pixel, or none where the background is seen.
+    using SurfaceSink = std::function<void(int x, int y, const std::optional<Surface<T>>& surface)>;
+    /// What every pixel sees, not shaded: for equations other than this one. As draw otherwise.
+    void surfaces(const SurfaceSink& sink, const Progress& progress = {}) const;
+
     /// What the pixel shows; 0,0 is the top left.
     Probe<T> probe(int x, int y) const;
     /// The nearest surface under the pixel's centre, if there is one.
