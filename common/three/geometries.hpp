@@ -90,8 +90,10 @@ class CylinderGeometry : public BufferGeometry {
     std::vector<std::pair<std::string, double>> parameters_;
 };
 
-/// More vertices than this are refused by every geometry and loader (std::invalid_argument that names the parameter):
-/// beyond it a frame no longer fits ordinary memory, and a wrong number in a file must not take the machine down.
+/// More vertices than this are refused by every loader: beyond it a frame no longer fits ordinary memory.
 inline constexpr double maxVertices = 50'000'000;
+/// More than this are refused by the geometries above (std::invalid_argument that names the parameters), and by a loader for
+/// all of a file's together. Lower, because a few digits make them: a wrong one must not take the machine down.
+inline constexpr double maxParametricVertices = 5'000'000;
 
 }  // namespace THREE

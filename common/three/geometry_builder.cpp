@@ -33,15 +33,15 @@ void requireUsable(const std::string& type, const Parameters& parameters) {
 }
 
 void requireFewVertices(const std::string& type, const Parameters& parameters, double vertices) {
-    if (vertices <= maxVertices)
+    if (vertices <= maxParametricVertices)
         return;
     std::string segments;
     for (const auto& [key, value] : parameters)
         if (key.ends_with("Segments"))
             segments.append(segments.empty() ? "" : ", ").append(key).append(" ").append(numberText(value));
     throw std::invalid_argument(type + ": " + segments + ": expected at most " +
-                                std::to_string(static_cast<long>(maxVertices)) + " vertices in all, found " +
-                                numberText(vertices) + "; use fewer segments");
+                                std::to_string(static_cast<long>(maxParametricVertices)) +
+                                " vertices in all, found " + numberText(vertices) + "; use fewer segments");
 }
 
 double wholeSegments(double given, double minimum) { return std::max(minimum, std::floor(given)); }

@@ -23,7 +23,7 @@ std::string numberText(double number);
 /// overflow.
 void requireUsable(const std::string& type, const Parameters& parameters);
 
-/// Throws std::invalid_argument, naming the parameters that end in "Segments", above maxVertices.
+/// Throws std::invalid_argument, naming the parameters that end in "Segments", above maxParametricVertices.
 void requireFewVertices(const std::string& type, const Parameters& parameters, double vertices);
 
 /// A number of segments as three.js takes it: the fraction dropped, at least `minimum`. It may be too large

@@ -1,5 +1,6 @@
 // Geometries of a scene file: attributes, indices and what is refused about them.
 // SPDX-License-Identifier: MIT
+#include "three/geometries.hpp"
 #include "three/scene_file.hpp"
 #include "three/scene_library.hpp"
 
@@ -132,11 +133,17 @@ void checkDrawRange(const Node& node, const BufferGeometry& geometry) {
 
 }  // namespace
 
-std::shared_ptr<BufferGeometry> loadGeometry(const Node& node) {
+std::shared_ptr<BufferGeometry> loadGeometry(const Node& node, double& parametric) {
     const Node typeNode = node.at("type", "the name of a geometry such as \"BoxGeometry\"");
     const std::string type = typeNode.text();
     std::shared_ptr<BufferGeometry> geometry = loadParametric(node, type);
-    if (geometry == nullptr) {
+    if (geometry != nullptr) {
+        parametric += static_cast<double>(geometry->vertexCount());
+        if (parametric > maxParametricVertices)
+            node.refuse("expected at most 5 million vertices in a file's parametric geometries, found more; "
+                        "use fewer "
+                        "segments");
+    } else {
         if (type != "BufferGeometry")
             typeNode.unsupported(printable(type) +
                                  " is not supported; use BufferGeometry, Box-, Sphere-, Plane-, Torus-, "

@@ -20,7 +20,8 @@ void refuseTransparency(const Node& node) {
     const bool transparent = node.boolean("transparent", false);
     if (transparent && opacity < 1)
         node.find("opacity")->unsupported("transparent surfaces are not supported; set transparent to false");
-    if (node.number("alphaTest", 0) > opacity)
+    // 0 is no test, whatever the opacity.
+    if (const double least = node.number("alphaTest", 0); least > 0 && least > opacity)
         node.find("alphaTest")->unsupported("alphaTest above the opacity hides the surface; set it to 0");
     // 0 is no blending, 1 normal blending: the same for an opaque surface.
     if (const std::optional<Node> blending = node.find("blending"); blending && blending->whole(0, 5) > 1)

@@ -47,6 +47,20 @@ void loadParts(const Node& node, Object3D& object) {
         object.scale = vector(*field);
 }
 
+// Each number of the file is at most 1e36; what follows from several of them must be so too, or the scene could be
+// written but not be read again.
+void checkResult(const Node& node, const Object3D& object) {
+    std::vector<double> results = {object.scale.x, object.scale.y, object.scale.z};
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            results.push_back(object.matrix.elements[column][row]);
+    for (const double result : results)
+        if (!(std::abs(result) <= largestNumber))
+            node.refuse(
+                "expected a place whose matrix and scale are numbers of at most 1e36, found larger ones; "
+                "scale the scene down");
+}
+
 bool sameMatrix(const Matrix4& a, const Matrix4& b) { return a.elements == b.elements; }
 
 double largestDifference(const Matrix4& a, const Matrix4& b) {
@@ -95,10 +109,13 @@ std::string loadPlace(const Node& node, Object3D& object) {
     const bool hasParts =
         node.find("position") || node.find("rotation") || node.find("quaternion") || node.find("scale");
     loadParts(node, object);
+    std::string lost;
     if (matrix)
-        return loadMatrix(*matrix, object, hasParts);
-    object.updateMatrix();
-    return "";
+        lost = loadMatrix(*matrix, object, hasParts);
+    else
+        object.updateMatrix();
+    checkResult(node, object);
+    return lost;
 }
 
 }  // namespace THREE

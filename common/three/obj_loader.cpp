@@ -5,7 +5,6 @@
 #include "three/scene_file.hpp"
 #include "three/validate.hpp"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -84,16 +83,13 @@ std::vector<std::shared_ptr<MeshLambertMaterial>> materialsOf(const Obj& obj) {
 // The faces of one shape that have one material, as an indexed geometry. Corners that agree in everything share a vertex.
 class Part {
   public:
-    Part(const Obj& obj, const tinyobj::mesh_t& mesh, int material) : obj_(obj) {
-        for (std::size_t face = 0; face < mesh.material_ids.size(); ++face)
-            if (mesh.material_ids[face] == material)
-                faces_.push_back(face);
-        for (const std::size_t face : faces_)
+    Part(const Obj& obj, const tinyobj::mesh_t& mesh, const std::vector<std::size_t>& faces) : obj_(obj) {
+        for (const std::size_t face : faces)
             for (std::size_t i = 3 * face; i < 3 * face + 3; ++i) {
                 hasNormals_ = hasNormals_ && mesh.indices[i].normal_index >= 0;
                 hasUvs_ = hasUvs_ && mesh.indices[i].texcoord_index >= 0;
             }
-        for (const std::size_t face : faces_)
+        for (const std::size_t face : faces)
             for (std::size_t i = 3 * face; i < 3 * face + 3; ++i)
                 index_.push_back(vertex(mesh.indices[i], smoothing(mesh, face)));
     }
@@ -143,7 +139,6 @@ class Part {
     }
 
     const Obj& obj_;
-    std::vector<std::size_t> faces_;
     bool hasNormals_ = true;
     bool hasUvs_ = true;
     std::map<std::array<long long, 4>, std::uint32_t> vertices_;
@@ -151,19 +146,35 @@ class Part {
     std::vector<std::uint32_t> index_;
 };
 
+struct Faces {
+    int material;
+    std::vector<std::size_t> numbers;
+};
+
+// A shape's faces by material, in the order in which it uses them.
+std::vector<Faces> facesByMaterial(const tinyobj::mesh_t& mesh) {
+    std::vector<Faces> parts;
+    std::map<int, std::size_t> places;
+    for (std::size_t face = 0; face < mesh.material_ids.size(); ++face) {
+        const auto [place, isNew] = places.emplace(mesh.material_ids[face], parts.size());
+        if (isNew)
+            parts.push_back({mesh.material_ids[face], {}});
+        parts[place->second].numbers.push_back(face);
+    }
+    return parts;
+}
+
 LoadedScene build(const Obj& obj) {
     const auto materials = materialsOf(obj);
     LoadedScene loaded;
     loaded.scene = std::make_unique<Scene>();
     for (const tinyobj::shape_t& shape : obj.shapes) {
-        std::vector<int> ids;  // in the order in which the shape uses them
-        for (const int id : shape.mesh.material_ids)
-            if (std::find(ids.begin(), ids.end(), id) == ids.end())
-                ids.push_back(id);
-        for (const int id : ids) {
-            const std::shared_ptr<BufferGeometry> geometry = Part(obj, shape.mesh, id).geometry();
+        for (const Faces& faces : facesByMaterial(shape.mesh)) {
+            const std::shared_ptr<BufferGeometry> geometry = Part(obj, shape.mesh, faces.numbers).geometry();
             geometry->name = shape.name;
-            const auto& material = id >= 0 ? materials.at(static_cast<std::size_t>(id)) : materials.back();
+            const auto& material = faces.material >= 0
+                                       ? materials.at(static_cast<std::size_t>(faces.material))
+                                       : materials.back();
             auto mesh = std::make_unique<Mesh>(Handle<BufferGeometry>(geometry), Handle<Material>(material));
             mesh->name = shape.name;
             loaded.scene->add(std::move(mesh));

@@ -25,27 +25,34 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
 std::vector<std::string_view> wordsOf(std::string_view line) {
     std::vector<std::string_view> words;
     std::size_t begin = 0;
-    while ((begin = line.find_first_not_of(" \t\r", begin)) != std::string_view::npos) {
-        const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
+    while ((begin = line.find_first_not_of(" \t", begin)) != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
         words.push_back(line.substr(begin, end - begin));
         begin = end;
     }
     return words;
 }
 
-// Calls `read` with every line that is not empty and no comment.
+// Calls `read` with the words of every line that is not empty and no comment. Lines end as they do for tinyobjloader: at
+// \n, \r\n or \r.
 template <class Read>
 void forEachLine(std::string_view text, Read read) {
     std::size_t number = 0;
     while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        const std::string_view line = text.substr(0, end);
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
         ++number;
-        const std::vector<std::string_view> words = wordsOf(line);
+        const std::vector<std::string_view> words = wordsOf(text.substr(0, end));
         if (!words.empty() && words[0][0] != '#')
-            read(line, words, number);
-        text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+            read(words, number);
+        text.remove_prefix(text.substr(end).starts_with("\r\n") ? end + 2 : std::min(end + 1, text.size()));
     }
+}
+
+// The words again as a line: tinyobjloader reads exactly what was checked.
+void appendLine(std::string& text, const std::vector<std::string_view>& words) {
+    for (const std::string_view word : words)
+        text.append(word).append(" ");
+    text.back() = '\n';
 }
 
 class Checker {
@@ -88,7 +95,7 @@ class ObjChecker {
   public:
     explicit ObjChecker(const std::string& file) : check_(file) {}
 
-    void line(std::string_view whole, const std::vector<std::string_view>& words, std::size_t number) {
+    void line(const std::vector<std::string_view>& words, std::size_t number) {
         const std::string_view keyword = words[0];
         if (words.back().ends_with('\\'))
             check_.fail(number, "each statement on one line", "a line continued by a backslash");
@@ -110,8 +117,7 @@ class ObjChecker {
                 "a Wavefront keyword such as v, vn, f or usemtl (free-form surfaces are not supported)",
                 keyword);
         }
-        result.text += whole;
-        result.text += '\n';
+        appendLine(result.text, words);
     }
 
     void finish(const std::string& file) {
@@ -192,8 +198,9 @@ class ObjChecker {
 
 ObjText checkObj(const std::string& text, const std::string& file) {
     ObjChecker checker(file);
-    forEachLine(text, [&](std::string_view line, const std::vector<std::string_view>& words,
-                          std::size_t number) { checker.line(line, words, number); });
+    forEachLine(text, [&](const std::vector<std::string_view>& words, std::size_t number) {
+        checker.line(words, number);
+    });
     checker.finish(file);
     return std::move(checker.result);
 }
@@ -201,8 +208,7 @@ ObjText checkObj(const std::string& text, const std::string& file) {
 ObjText checkMtl(const std::string& text, const std::string& file) {
     ObjText result;
     const Checker check(file);
-    forEachLine(text, [&](std::string_view line, const std::vector<std::string_view>& words,
-                          std::size_t number) {
+    forEachLine(text, [&](const std::vector<std::string_view>& words, std::size_t number) {
         const std::string_view keyword = words[0];
         if (isOneOf(keyword, {"Kd", "Ke"}))
             check.numbers(words, 3, number);
@@ -216,9 +222,10 @@ ObjText checkMtl(const std::string& text, const std::string& file) {
             ObjChecker::note(result.notes, file + ": transparency (d, Tr) is left out");
         if (!isOneOf(keyword, {"newmtl", "Kd", "Ke"}))
             return;
-        result.text += line;
+        appendLine(result.text, words);
         // A material without Kd is white, as in three.js; tinyobjloader would have it black.
-        result.text += keyword == "newmtl" ? "\nKd 1 1 1\n" : "\n";
+        if (keyword == "newmtl")
+            result.text += "Kd 1 1 1\n";
     });
     return result;
 }

@@ -37,9 +37,10 @@ Library<T> loadLibrary(const Node& root, const char* key, Load load) {
 
 Library<BufferGeometry> loadGeometries(const Node& root) {
     double vertices = 0;
+    double parametric = 0;
     return loadLibrary<BufferGeometry>(
         root, "geometries", [&](const Node& node, Entry<BufferGeometry>& entry) {
-            entry.resource = loadGeometry(node);
+            entry.resource = loadGeometry(node, parametric);
             vertices += static_cast<double>(entry.resource->vertexCount());
             if (vertices > maxVertices)
                 node.refuse("expected at most 50 million vertices in a file, found more; use fewer segments");

@@ -31,7 +31,8 @@ Library<BufferGeometry> loadGeometries(const Node& root);
 Library<Material> loadMaterials(const Node& root);
 
 /// One BufferGeometry or parametric geometry. Throws Unsupported for a type or feature that is not supported.
-std::shared_ptr<BufferGeometry> loadGeometry(const Node& node);
+/// `parametric` counts the vertices of the file's parametric geometries, those that are not supported included.
+std::shared_ptr<BufferGeometry> loadGeometry(const Node& node, double& parametric);
 /// What loadGeometry left out because it shows only in animations, or empty.
 std::string geometryNote(const Node& node);
 /// Whether the groups draw every triangle with the first material, which decides what [material] means.

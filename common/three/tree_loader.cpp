@@ -15,6 +15,14 @@ std::int64_t layersOf(const Node& node) {
     return node.whole("layers", 1, -2147483648LL, 4294967295LL) & 0xFFFFFFFFLL;
 }
 
+// 0 for the Scene itself.
+int levelOf(const Object3D& object) {
+    int level = 0;
+    for (const Object3D* above = object.parent(); above != nullptr; above = above->parent())
+        ++level;
+    return level;
+}
+
 std::size_t childCount(const Node& node) {
     const std::optional<Node> children = node.findSet("children");
     return children ? children->array().size() : 0;
@@ -23,10 +31,11 @@ std::size_t childCount(const Node& node) {
 }  // namespace
 
 LoadedScene TreeLoader::load(const Node& object) {
-    lookAhead(object, 1);
+    const bool isScene = object.at("type", someType).text() == "Scene";
+    lookAhead(object, isScene ? 0 : 1);  // what is no Scene hangs below one, and is written so
     LoadedScene loaded;
     loaded.scene = std::make_unique<Scene>();
-    if (object.at("type", someType).text() == "Scene") {
+    if (isScene) {
         fillScene(object, *loaded.scene);
         if (const std::string lost = loadPlace(object, *loaded.scene); !lost.empty())
             notes_.push_back(lost);
@@ -62,7 +71,9 @@ void TreeLoader::lookAhead(const Node& node, int level) {
     if (type == "DirectionalLight") {
         if (const std::optional<Node> target = node.findSet("target")) {
             auto light = std::make_unique<DirectionalLight>();
-            wanted_.emplace(target->text(), light.get());
+            // An object that several lights aim at is the `target` of none: each one's hangs below it.
+            if (const auto [place, isNew] = wanted_.emplace(target->text(), light.get()); !isNew)
+                place->second = nullptr;
             aims_.push_back({light.get(), *target});
             waiting_.emplace(&node.value(), std::move(light));
         }
@@ -78,7 +89,8 @@ void TreeLoader::build(const Node& node, Object3D& parent, bool hidden) {
     Object3D* object = nullptr;
     if (uuid && type == "Object3D" && childCount(node) == 0) {
         // Only without children: a target that owned its own light would never be freed.
-        if (const auto light = wanted_.find(uuid->text()); light != wanted_.end()) {
+        if (const auto light = wanted_.find(uuid->text());
+            light != wanted_.end() && light->second != nullptr) {
             object = &light->second->target;
             wanted_.erase(light);
             parent.add(*object);
@@ -149,8 +161,12 @@ void TreeLoader::resolveTargets() {
         if (found->second.count > 1)
             aim.target.fail("the uuid of one object",
                             std::to_string(found->second.count) + " objects have it");
-        if (found->second.object != &aim.light->target)
-            found->second.object->add(aim.light->target);
+        if (found->second.object == &aim.light->target)
+            continue;
+        if (levelOf(*found->second.object) >= deepestTree)  // the light's own target hangs one level below it
+            aim.target.fail("the uuid of an object at most " + std::to_string(deepestTree - 1) +
+                            " levels deep");
+        found->second.object->add(aim.light->target);
     }
 }
 

@@ -64,7 +64,7 @@ class TreeLoader {
     std::vector<Aim> aims_;  // directional lights with a target
     std::map<const nlohmann::json*, std::unique_ptr<DirectionalLight>> waiting_;  // made ahead of their place
     std::map<std::string, DirectionalLight*>
-        wanted_;  // uuid of a target to the light that it becomes a part of
+        wanted_;  // uuid of a target to the light that it becomes a part of, null if several want it
     std::map<std::string, Placed> placed_;  // objects by uuid
 };
 

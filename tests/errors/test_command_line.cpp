@@ -183,15 +183,33 @@ TEST(Viewer, ShowsWhatTheCameraOptionLooksAt) {
     }
 }
 
+// As on a machine where no graphics driver is installed.
+const std::vector<std::pair<std::string, std::string>> noDriver{{"__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"},
+                                                                {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}};
+
 TEST(NoRenderer, SaysWhatWasTriedAndWhatToInstall) {
     const TemporaryDirectory directory;
-    const Outcome outcome =
-        support::run({lesson, "--frame", "a.png"}, directory.path(),
-                     {{"__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"}, {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}});
+    const Outcome outcome = support::run({lesson, "--frame", "a.png"}, directory.path(), noDriver);
     EXPECT_EQ(outcome.status, 3) << outcome.err;
-    for (const char* part : {"surfaceless", "libegl-mesa0", "libgl1-mesa-dri"})
+    for (const char* part : {"surfaceless", "libegl-mesa0", "libgl1-mesa-dri", "--renderer reference"})
         EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
     EXPECT_EQ(directory.contents(), Arguments{});
+}
+
+TEST(NoRenderer, TheReferenceNeedsNone) {
+    const TemporaryDirectory directory;
+    const Outcome outcome =
+        support::run({lesson, "--frame", "a.png", "--renderer", "reference", "--stats", "--size", "160x120"},
+                     directory.path(), noDriver);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\"renderer\":\"reference, double precision\""), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("\"nonfinite\":0"), std::string::npos) << outcome.out;
+    EXPECT_GT(support::readFile(directory.file("a.png")).size(), 1000U);
+    // Without a display and without --frame: the same, in one line.
+    const Outcome unasked = support::run({lesson, "--renderer", "reference"}, directory.path(), noDriver);
+    EXPECT_EQ(unasked.status, 0) << unasked.err;
+    EXPECT_EQ(directory.contents(), (Arguments{"a.png", lesson + ".png"}));
 }
 
 TEST(NoDisplay, WritesTheFrameAndSaysSo) {

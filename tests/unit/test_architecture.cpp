@@ -104,6 +104,11 @@ std::string complaint(const std::string& file, const Include& include) {
         return file + ": no layer is called '" + layer + "'; add it to the table in test_architecture.cpp";
     if (include.file.find("..") != std::string::npos || !mayUse->second.contains(target))
         return file + ": includes \"" + include.file + "\", which " + layer + " must not know of";
+    // The reference judges the other path, so it shares nothing with it but the scene and the names of the terms.
+    const std::string reference = "lighting/reference/";
+    if (file.find(reference) != std::string::npos && target == "lighting" &&
+        !include.file.starts_with(reference) && include.file != "lighting/terms.hpp")
+        return file + ": includes \"" + include.file + "\", which the reference must not share";
     return "";
 }
 
@@ -290,6 +295,8 @@ TEST(ArchitectureRules, EachForbiddenDirectionIsNoticed) {
     EXPECT_NE(complaint("lessons/a.cpp", {"tests/b.hpp", '"'}), "");
     EXPECT_NE(complaint("common/three/a.cpp", {"lab/b.hpp", '<'}), "");
     EXPECT_NE(complaint("common/new/a.cpp", {"three/b.hpp", '"'}), "");
+    EXPECT_NE(complaint("common/lighting/reference/a.hpp", {"lighting/frame_plan.hpp", '"'}), "");
+    EXPECT_EQ(complaint("common/lighting/reference/a.hpp", {"lighting/terms.hpp", '"'}), "");
     EXPECT_EQ(complaint("common/three/a.cpp", {"vector", '<'}), "");
     EXPECT_EQ(complaint("common/three/a.cpp", {"glm/vec3.hpp", '<'}), "");
 }

@@ -260,6 +260,11 @@ TEST(ObjectLoader, ignoresWhatIsHarmless) {
             .notes.empty());
 }
 
+TEST(ObjectLoader, takesAnyOpacityOfAnOpaqueMaterialWithoutAlphaTest) {
+    for (const char* const fields : {R"("opacity":-1)", R"("opacity":-1,"alphaTest":0)", R"("alphaTest":-1)"})
+        EXPECT_EQ(refusal(withMaterial(fields)), "");
+}
+
 TEST(ObjectLoader, takesAnArrayOfOneMaterialWhereItsGroupsCoverAll) {
     const std::string listed = R"({"type":"Mesh","geometry":"g","material":["m"]})";
     std::string grouped = triangle;
