@@ -26,8 +26,7 @@ using Vec3 = glm::vec<3, T>;
 template <class T>
 struct Light {
     const THREE::Light* source;  ///< the light of the scene
-    Vec3<T>
-        place;  ///< unit vector towards a directional light; position of a point light, world space relative to the eye
+    Vec3<T> place;  ///< directional: unit vector towards it; point: position relative to the eye; world space
     Vec3<T> L;  ///< colour x intensity (slide 26)
     T intensity;  ///< what stays when light_color is off
     T decay;  ///< k of f(d) = 1 / d^k (slide 31)
