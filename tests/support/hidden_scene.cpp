@@ -122,8 +122,8 @@ void addLights(THREE::Scene& scene, Dice& dice, const View& view, THREE::Group& 
     const THREE::Color colors[] = {dice.tint(), dice.tint(), dice.tint(), dice.color(0.15)};
     const double strengths[] = {dice.between(0.6, 0.8), dice.between(1.3, 1.7), dice.between(1.2, 1.6)};
     const double x[] = {dice.between(2, 3), dice.between(-0.4, 0.4), dice.between(-3, -2)};
-    const double y[] = {dice.between(1, 2), dice.between(0.1, 0.5), dice.between(-1, 1)};
-    const double z[] = {dice.between(-0.5, 0.5), 1, dice.between(0.5, 1.5)};
+    const double y[] = {dice.between(1, 2), dice.between(0.1, 0.5), dice.between(0.2, 1.2)};
+    const double z[] = {dice.between(-0.8, 0.2), 1, dice.between(0.3, 1.2)};
     addLight(scene, std::make_unique<THREE::DirectionalLight>(), colors[0], strengths[0],
              view.along(x[0], y[0], z[0]));
     addLight(scene, std::make_unique<THREE::PointLight>(0xFFFFFF, 1, 0, 2), colors[1], strengths[1],

@@ -6,6 +6,7 @@
 #include "support/misconception_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/matrix.hpp>
 #include <optional>
 #include <stdexcept>
@@ -173,9 +174,11 @@ Apart apart(const std::vector<float>& a, const std::vector<float>& b,
         if (counted[pixel] == 0)
             continue;
         double worst = 0;
-        for (std::size_t i = pixel * 3; i < pixel * 3 + 3; ++i)
-            worst = std::max(worst, std::abs(std::clamp(static_cast<double>(a[i]), 0.0, 1.0) -
-                                             std::clamp(static_cast<double>(b[i]), 0.0, 1.0)));
+        for (std::size_t i = pixel * 3; i < pixel * 3 + 3; ++i) {
+            const double difference = std::abs(std::clamp(static_cast<double>(a[i]), 0.0, 1.0) -
+                                               std::clamp(static_cast<double>(b[i]), 0.0, 1.0));
+            worst = std::max(worst, std::isnan(difference) ? 1.0 : difference);
+        }
         ++pixels;
         far += worst > 2.0 / 255 ? 1 : 0;
         result.codes = std::max(result.codes, worst * 255);

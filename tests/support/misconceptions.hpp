@@ -6,8 +6,8 @@
 #include "three/scene.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -97,7 +97,7 @@ class WrongFrames {
     std::vector<std::size_t> pixels_;  // of each point
 };
 
-/// How far two frames are from each other on a screen, which clamps to [0,1].
+/// How far two frames are from each other on a screen, which clamps to [0,1]; NaN is 255 codes from everything.
 struct Apart {
     double codes = 0;  ///< largest difference in 8-bit codes, not rounded
     double share = 0;  ///< of the counted pixels, those with a channel that differs by more than 2 codes
