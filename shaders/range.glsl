@@ -17,15 +17,24 @@ int shrink(inout vec3 v)
     return e;
 }
 
-// x 2^e, in two steps so that neither leaves the range before the other brings it back
+// What is beyond the largest float becomes the largest float.
+vec3 limit(vec3 x)
+{
+    watch_nan(x);
+    return clamp(x, -LARGEST, LARGEST);
+}
+
+// x 2^e, in two steps so that neither leaves the range before the other brings it back; the limit between them also keeps
+// compilers from multiplying the two steps first
 vec3 times_power_of_two(vec3 x, float e)
 {
     e = clamp(e, -252.0, 252.0);
     int whole = int(floor(e));
-    return x * exp2(e - float(whole)) * power_of_two(whole / 2) * power_of_two(whole - whole / 2);
+    x = limit(x * (exp2(e - float(whole)) * power_of_two(whole / 2)));
+    return limit(x * power_of_two(whole - whole / 2));
 }
 
-vec3 add(vec3 P, vec3 x) { return clamp(P + x, -LARGEST, LARGEST); }
+vec3 add(vec3 P, vec3 x) { return limit(P + x); }
 
 #else
 

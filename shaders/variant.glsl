@@ -28,10 +28,19 @@ void watch(float x)
 }
 void watch(vec3 v) { watch(v.x); watch(v.y); watch(v.z); }
 
+// The same where infinity is allowed, because it is about to be limited.
+void watch_nan(float x)
+{
+    if ((floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u)
+        met_nonfinite = true;
+}
+void watch_nan(vec3 v) { watch_nan(v.x); watch_nan(v.y); watch_nan(v.z); }
+
 #else
 
 void watch(float x) {}
 void watch(vec3 v) {}
+void watch_nan(vec3 v) {}
 
 #endif
 

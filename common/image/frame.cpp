@@ -59,10 +59,8 @@ Bytes toBytes(const Frame& frame) {
         if (std::isnan(floats[i])) {
             refuseNan(frame, i);
         }
-        // The product is exact in double, so that only one rounding happens. Halves go to even, the default
-        // mode.
-        const double scaled = static_cast<double>(std::clamp(floats[i], 0.0F, 1.0F)) * 255.0;
-        codes[i] = static_cast<std::uint8_t>(std::nearbyint(scaled));
+        // In float, halves to even: as graphics drivers do, so that a value has the same code wherever it comes from.
+        codes[i] = static_cast<std::uint8_t>(std::nearbyint(std::clamp(floats[i], 0.0F, 1.0F) * 255.0F));
     }
     return codes;
 }

@@ -39,7 +39,7 @@ void check(const Frame& frame);
 // The frame's values as floats; a code c becomes the float nearest to c / 255.
 Floats toFloats(const Frame& frame);
 
-// The frame's codes; a float is clamped to [0,1] and 255 times it rounded, halves to even. A NaN throws
+// The frame's codes; a float is clamped to [0,1] and 255 times it, in float, rounded, halves to even, as drivers do. A NaN throws
 // Error, which names the first such pixel; infinities clamp as other numbers do.
 Bytes toBytes(const Frame& frame);
 

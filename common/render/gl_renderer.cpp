@@ -11,6 +11,13 @@
 
 namespace render {
 
+namespace {
+
+constexpr std::size_t mostLights =
+    65'000;  // Mesa's software drivers stop after 65,535 turns of all loops together
+
+}  // namespace
+
 GlRenderer::GlRenderer(std::string shaderDirectory) : programs_(std::move(shaderDirectory)) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -95,6 +102,13 @@ void GlRenderer::showInWindow(const image::Frame& frame) {
 
 void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
                       int height) {
+    const std::size_t lights = plan.directional.size() + plan.point.size();
+    if (lights > mostLights)
+        throw NoRenderer(
+            "the scene has " + std::to_string(lights) + " lights; expected at most " +
+            std::to_string(mostLights) +
+            ", because drivers end a shader's loop there without a word. Leave some out, or draw with "
+            "--renderer reference.");
     const std::uint64_t before = geometries_.uploadedBytes() + lights_.uploadedBytes();
     stats_ = FrameStats{};
     stats_.meshesSkipped = plan.meshesSkipped;

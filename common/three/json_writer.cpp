@@ -104,7 +104,7 @@ JsonWriter& JsonWriter::value(const std::vector<std::uint32_t>& numbers) {
 
 void JsonWriter::append(double number) {
     if (!std::isfinite(number))
-        throw SceneError(whose + ": " + key_ + ": expected a finite number, found " +
+        throw SceneError(whose() + ": " + key_ + ": expected a finite number, found " +
                          (std::isnan(number) ? "NaN" : "infinity") +
                          ", which JSON cannot say; correct it first");
     if (number == 0 && std::signbit(number)) {  // "-0" would be read as the integer 0

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,9 @@ class JsonWriter {
         return key(name).value(content);
     }
 
-    /// What is being written, for the message about NaN.
-    std::string whose;
+    /// Names what is being written. Called for the message about NaN only: to look for the name among thousands of siblings
+    /// takes time.
+    std::function<std::string()> whose;
     /// Everything written so far.
     const std::string& text() const { return text_; }
 

@@ -49,7 +49,7 @@ std::string whose(const char* type, const std::string& name) {
 }  // namespace
 
 void writeGeometry(JsonWriter& json, const BufferGeometry& geometry, const std::string& id) {
-    json.whose = whose(geometry.type(), geometry.name);
+    json.whose = [&geometry] { return whose(geometry.type(), geometry.name); };
     const bool isUntouched = isAsConstructed(geometry);
     json.beginObject().field("uuid", id).field("type", isUntouched ? geometry.type() : "BufferGeometry");
     if (!geometry.name.empty())
@@ -68,7 +68,7 @@ void writeGeometry(JsonWriter& json, const BufferGeometry& geometry, const std::
 }
 
 void writeMaterial(JsonWriter& json, const Material& material, const std::string& id) {
-    json.whose = whose(material.type(), material.name);
+    json.whose = [&material] { return whose(material.type(), material.name); };
     json.beginObject().field("uuid", id).field("type", material.type());
     if (!material.name.empty())
         json.field("name", material.name);

@@ -140,7 +140,7 @@ class SceneWriter {
     }
 
     void writeObject(const Object3D& object) {
-        json_.whose = describe(object);
+        json_.whose = [&object] { return describe(object); };
         json_.beginObject().field("uuid", uuids_.at(&object)).field("type", typeOf(object));
         if (!object.name.empty())
             json_.field("name", object.name);
@@ -163,7 +163,7 @@ class SceneWriter {
             writeObject(*child);
         if (&object == &root_) {
             for (const Target& target : targets_) {
-                json_.whose = "target of " + describe(*target.light);
+                json_.whose = [&target] { return "target of " + describe(*target.light); };
                 Matrix4 place;
                 place.elements[3] = glm::dvec4(glm::dvec3(target.position), 1);
                 json_.beginObject().field("uuid", target.uuid).field("type", "Object3D");
