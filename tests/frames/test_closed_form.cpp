@@ -1,5 +1,6 @@
 // Frames whose every pixel is a formula: planes under lights whose answer one can write down.
 // SPDX-License-Identifier: MIT
+#include "render/error.hpp"
 #include "support/draw.hpp"
 
 #include <cmath>
@@ -230,6 +231,23 @@ TEST(ClosedForm, ManyLightsGoThroughATexture) {
         return s.D * L * sum;
     };
     expectEverywhere(draw(s.scene, s.camera, {16, 16, true, {}}), 3000 * u, formula);
+}
+
+// Beyond that, software drivers would leave lights out without a word.
+TEST(ClosedForm, MoreLightsThanDriversCountAreRefused) {
+    FacingPlane s;
+    std::vector<std::unique_ptr<THREE::DirectionalLight>> suns;
+    for (int i = 0; i < 65'001; ++i)
+        s.scene.add(
+            *suns.emplace_back(std::make_unique<THREE::DirectionalLight>(THREE::Color(1, 1, 1), 1e-6)));
+    try {
+        draw(s.scene, s.camera, {4, 4, true, {}});
+        FAIL() << "expected a refusal";
+    } catch (const render::NoRenderer& refused) {
+        EXPECT_NE(std::string(refused.what()).find("65001 lights"), std::string::npos) << refused.what();
+        EXPECT_NE(std::string(refused.what()).find("--renderer reference"), std::string::npos)
+            << refused.what();
+    }
 }
 
 }  // namespace
