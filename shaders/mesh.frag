@@ -11,6 +11,8 @@ uniform vec3 emissive;   // light of its own
 
 void main()
 {
+    if (!is_surface(worldPosition))
+        discard;
     watch(worldPosition);
     watch(worldNormal);
     float length2 = dot(worldNormal, worldNormal);

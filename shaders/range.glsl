@@ -1,5 +1,5 @@
 // Keeps numbers inside the range of floats where a scene's distances or strengths are extreme (SCALED: the frame plan
-// says so, draw by draw). In every other scene these functions are nothing: v itself, x itself, a plain sum.
+// says so, draw by draw). In every other scene these functions are nothing: true, v itself, x itself, a plain sum.
 // SPDX-License-Identifier: MIT
 #if SCALED
 
@@ -16,6 +16,10 @@ int shrink(inout vec3 v)
     v *= power_of_two(-e);
     return e;
 }
+
+// Over a triangle that is no more than a line, drivers may interpolate positions that are no numbers.
+bool is_number(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
+bool is_surface(vec3 Q) { return is_number(Q.x) && is_number(Q.y) && is_number(Q.z); }
 
 // What is beyond the largest float becomes the largest float.
 vec3 limit(vec3 x)
@@ -38,6 +42,7 @@ vec3 add(vec3 P, vec3 x) { return limit(P + x); }
 
 #else
 
+bool is_surface(vec3 Q) { return true; }
 int shrink(inout vec3 v) { return 0; }
 vec3 times_power_of_two(vec3 x, float e) { return x; }
 vec3 add(vec3 P, vec3 x) { return P + x; }

@@ -97,7 +97,8 @@ int App::runFile() {
         for (const std::string& note : loaded.notes)
             std::cerr << options_.lesson << ": " << note << '\n';
         loaded.scene->updateMatrixWorld();
-        THREE::validate(*loaded.scene, THREE::PerspectiveCamera());  // before its size is measured
+        // Before its size is measured; a camera that sees as far as anything may be.
+        THREE::validate(*loaded.scene, THREE::PerspectiveCamera(50, 1, 1e30, 1e36));
     });
     if (status != done)
         return status;

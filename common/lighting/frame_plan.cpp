@@ -68,6 +68,7 @@ class Planner {
         view_ = glm::inverse(place);
         projection_ = camera.projectionMatrix();
         projection_[3][2] /= plan_.unit;
+        near_ = camera.near / plan_.unit;
     }
 
     FramePlan run(const THREE::Scene& scene) {
@@ -200,7 +201,8 @@ class Planner {
         if (material.isLit()) {
             draw.variant = lights;
             draw.variant.doubleSided = material.side != THREE::FrontSide;
-            draw.variant.scaled = needsScaling(plan_, draw, geometry.boundingBox(), sphere);
+            draw.variant.scaled =
+                draw.reach > 0x1p40 * near_ || needsScaling(plan_, draw, geometry.boundingBox(), sphere);
             plan_.litMeshes = true;
             plan_.emissive |= !isZero(draw.emitted);
             plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
@@ -218,6 +220,7 @@ class Planner {
             stretch += glm::dot(glm::dvec3(toView[column]), glm::dvec3(toView[column]));
         const double radius = sphere.radius * std::sqrt(stretch) * (1 + 1e-9);
         draw.nearestDepth = -inView.z - radius;
+        draw.reach = glm::length(inView) + radius;
         const glm::dmat4 rows = glm::transpose(projection_);
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {-1.0, 1.0}) {
@@ -232,6 +235,7 @@ class Planner {
     FramePlan plan_;
     glm::dmat4 view_;
     glm::dmat4 projection_;
+    double near_;  // frame units
     bool hasAmbient_ = false;
 };
 

@@ -72,6 +72,7 @@ struct Draw {
     glm::dvec3 emitted;  ///< added after the sum
     Variant variant;
     bool mirrored = false;  ///< the model matrix turns triangles round: front faces are clockwise
+    double reach = 0;  ///< from the eye to the farthest point of its bounding sphere, frame units
     double nearestDepth = 0;  ///< of its bounding sphere, view space in frame units; draws are sorted by it
 };
 

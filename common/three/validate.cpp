@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 #include <string>
 
@@ -144,6 +145,13 @@ void checkGeometry(const BufferGeometry& geometry, const Check& check) {
     geometry.markValidated();
 }
 
+double radiusInWorld(const Mesh& mesh) {
+    double stretch = 0;
+    for (int column = 0; column < 3; ++column)
+        stretch = std::max(stretch, Vector3(glm::dvec3(mesh.matrixWorld.elements[column])).length());
+    return std::max(mesh.geometry->boundingSphere().radius, 0.0) * stretch;
+}
+
 void checkMesh(const Mesh& mesh, const Check& check) {
     if (!mesh.geometry)
         check.fail(
@@ -152,10 +160,7 @@ void checkMesh(const Mesh& mesh, const Check& check) {
         check.fail(
             "its material was destroyed before it; declare the material first, so that it lives longer");
     checkGeometry(*mesh.geometry, check);
-    double stretch = 0;
-    for (int column = 0; column < 3; ++column)
-        stretch = std::max(stretch, Vector3(glm::dvec3(mesh.matrixWorld.elements[column])).length());
-    check.number("size in world space", std::max(mesh.geometry->boundingSphere().radius, 0.0) * stretch);
+    check.number("size in world space", radiusInWorld(mesh));
     check.color("material.color", mesh.material->color);
     check.color("material.emissive", mesh.material->emitted());
 }
@@ -183,6 +188,24 @@ void checkCamera(const PerspectiveCamera& camera, const Check& check) {
                        "can be seen; expected a scale such as (1, 1, 1)");
 }
 
+// Floats interpolate over a triangle what they hold at its corners divided by their depth.
+void checkReach(const Scene& scene, const PerspectiveCamera& camera) {
+    const Vector3 eye = camera.matrixWorld.position();
+    const double farthest = camera.near * largestReach;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", farthest);
+    scene.traverseVisible([&](const Object3D& object) {
+        const auto* mesh = dynamic_cast<const Mesh*>(&object);
+        if (mesh == nullptr)
+            return;
+        const Vector3 center = mesh->matrixWorld.applyTo(mesh->geometry->boundingSphere().center);
+        const double reach = center.distanceTo(eye) + radiusInWorld(*mesh);
+        if (!(reach <= farthest))
+            refuse(describe(*mesh), "distance from the camera and size together",
+                   "at most 1e30 times the camera's near (" + std::string(text) + ")", reach);
+    });
+}
+
 }  // namespace
 
 void validate(const Scene& scene, const PerspectiveCamera& camera) {
@@ -199,6 +222,7 @@ void validate(const Scene& scene, const PerspectiveCamera& camera) {
     const Check check(camera);
     checkPlace(camera, check);
     checkCamera(camera, check);
+    checkReach(scene, camera);
 }
 
 }  // namespace THREE

@@ -30,9 +30,10 @@ void counter(Outcome& outcome) {
     render::GlRenderer renderer(render::findShaderDirectory(""));
     lighting::Settings settings = stage.options.settings;
     settings.countNonfinite = true;
-    const auto counted = [&](const double bad) {
+    const auto counted = [&](double bad, bool scaled = false) {
         lighting::FramePlan plan = drawn.plan;
         plan.draws.at(0).variant.countNonfinite = true;
+        plan.draws[0].variant.scaled = scaled;
         plan.draws[0].albedo.g = bad;
         renderer.render(plan, settings, {stage.options.width, stage.options.height, true});
         return renderer.stats().nonfinite.value_or(-1);
@@ -43,7 +44,10 @@ void counter(Outcome& outcome) {
         require(outcome, counted(bad) == pixels,
                 number(bad) + " is counted in " + std::to_string(counted(bad)) + " pixels of " +
                     std::to_string(pixels));
-    require(outcome, counted(0.5) == 0, "an ordinary frame counts pixels");
+    // Where numbers are scaled, infinity is limited on purpose; NaN must not hide behind that.
+    require(outcome, counted(std::nan(""), true) == pixels, "the scaled text does not count NaN");
+    for (const bool scaled : {false, true})
+        require(outcome, counted(0.5, scaled) == 0, "an ordinary frame counts pixels");
     outcome.naive = outcome.legacy = outcome.physical = {"0, 255, 0 stored", Peer::notFinite};
     outcome.expected = outcome.twin = outcome.gl = "none stored";
     outcome.bound = "counter 0";

@@ -146,9 +146,7 @@ Setup turnedAMillionTimes() {
     return s;
 }
 
-}  // namespace
-
-std::vector<Row> geometryRows() {
+std::vector<Row> normalRows() {
     const double half = std::numbers::sqrt2 / 2;
     return {
         {"G1",
@@ -172,10 +170,20 @@ std::vector<Row> geometryRows() {
          "179.99 degrees between normals",
          Kind::shading,
          {between(179.99, slanting(), {Bound::code, 0.1}, A + half)}},
+    };
+}
+
+std::vector<Row> triangleRows() {
+    return {
         {"G8", "collinear triangle", "three points of a line", Kind::shading, {generated(1)}, {}, collinear},
         {"G9", "minute triangle", "edges of 1e-20", Kind::shading, {generated(1e-20 / 6)}},
         {"G10", "giant triangle", "edges of 1e13", Kind::shading, {generated(1e13 / 6)}},
         {"G11", "small triangle far away", "edges of 1e-3 at 1e4", Kind::shading, {farSmall()}},
+    };
+}
+
+std::vector<Row> cosineRows() {
+    return {
         {"G12",
          "exactly grazing",
          "n . w = 0",
@@ -211,6 +219,15 @@ std::vector<Row> geometryRows() {
          {},
          incremental},
     };
+}
+
+}  // namespace
+
+std::vector<Row> geometryRows() {
+    std::vector<Row> all = normalRows();
+    for (const auto& part : {triangleRows(), cosineRows()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
 }
 
 }  // namespace stability

@@ -37,6 +37,7 @@ struct FragmentBuiltins {
 #define out
 #define inout by_reference::
 #define highp
+#define discard return
 #define xyz xyz()
 #define rgb rgb()
 
@@ -78,6 +79,7 @@ struct ScaledFragment : FragmentBuiltins {
 #undef out
 #undef inout
 #undef highp
+#undef discard
 #undef xyz
 #undef rgb
 #pragma GCC diagnostic pop

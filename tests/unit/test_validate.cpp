@@ -281,4 +281,13 @@ TEST_F(Validate, TenThousandUnnamedMeshesAreNotNamed) {
     EXPECT_EQ(count, 1);
 }
 
+TEST_F(Validate, AMeshTooFarForFloatsBesideSoNearAPlane) {
+    expectRefused("Mesh 'nodo'", "distance from the camera and size together", mesh.position.z,
+                  {-1e30, 1e35});
+    expectRefused("Mesh 'nodo'", "distance from the camera and size together", mesh.scale.x, {1e30});
+    mesh.position.z = -1e30;
+    camera.near = 1.5;
+    EXPECT_EQ(refusal(), "");
+}
+
 }  // namespace
