@@ -18,8 +18,7 @@ struct Judgement {
     int codes = 0;  ///< largest difference of the 8-bit frames
     long long judged = 0;  ///< pixels that were compared
     long long masked = 0;  ///< pixels within one pixel of an edge, which were not
-    long long outside =
-        0;  ///< of those masked: by how many codes they differ is not judged, but more than 1 is counted
+    long long outside = 0;  ///< values of masked pixels more than 1 code off: told, not judged
 
     double maskedShare() const { return static_cast<double>(masked) / static_cast<double>(judged + masked); }
 };

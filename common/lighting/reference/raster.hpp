@@ -9,18 +9,15 @@
 
 #include "lighting/reference/reference.hpp"
 
-#include <atomic>
 #include <mutex>
-#include <numbers>
 
 namespace lighting::reference {
 
 template <class T>
 struct Reference<T>::Edges {
-    Vec3<T> plane
-        [3];  // normals of the planes through the eye and the edge opposite to corner i, pointing inwards
+    Vec3<T> plane[3];  // normals of the planes through the eye and the edge opposite to corner i, inwards
     T volume;  // six times the volume between eye and triangle, > 0
-    bool front;  // counter-clockwise seen from the eye
+    bool front;  // the front side is seen
 
     explicit Edges(const Body<T>& body, std::size_t triangle) {
         const Vec3<T>& a = body.corner(triangle, 0).view;

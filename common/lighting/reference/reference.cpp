@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "lighting/reference/raster.hpp"
 
+#include <atomic>
 #include <exception>
+#include <mutex>
 #include <thread>
 
 namespace lighting::reference {

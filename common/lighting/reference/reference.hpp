@@ -15,7 +15,7 @@ template <class T>
 struct Surface {
     std::size_t body;  ///< number of the mesh among those drawn
     std::size_t triangle;  ///< of its geometry
-    bool front;  ///< counter-clockwise, seen from the eye
+    bool front;  ///< its front side is seen
     Vec3<T> weights;  ///< of its three corners; they add up to 1
     T depth;  ///< along the view direction, world units of the camera
     Vec3<T> Q;  ///< the point, world space relative to the eye
