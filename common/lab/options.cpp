@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <sstream>
 #include <vector>
@@ -97,10 +98,17 @@ Language languageOf(std::span<const std::string> arguments) {
     return language;
 }
 
+// Describes an option whose text `read` turns into a value.
+struct Adder {
+    CLI::App& app;
+    CLI::Option* operator()(const std::string& name, const char* it, const char* en,
+                            const std::function<void(const std::string&)>& read) const {
+        return app.add_option_function<std::string>(name, read, text(it, en));
+    }
+};
+
 void addNumbers(CLI::App& app, Options& options) {
-    const auto add = [&app](const std::string& name, const char* it, const char* en, auto read) {
-        app.add_option_function<std::string>(name, read, text(it, en));
-    };
+    const Adder add{app};
     add("--size", "LxA: 512x512 per un'immagine, 960x600 per una finestra",
         "WxH: 512x512 for a frame, 960x600 for a window",
         [&options](const std::string& value) { readSize(value, options); });
@@ -153,9 +161,7 @@ void addFiles(CLI::App& app, Options& options) {
 }
 
 void addChoices(CLI::App& app, Options& options) {
-    const auto add = [&app](const std::string& name, const char* it, const char* en, auto read) {
-        return app.add_option_function<std::string>(name, read, text(it, en));
-    };
+    const Adder add{app};
     add("--terms", "all, none, nomi da tenere, o +nome,-nome per cambiare",
         "all, none, names to keep, or +name,-name to change", [&options](const std::string& value) {
             try {

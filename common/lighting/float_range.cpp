@@ -24,28 +24,45 @@ struct Distances {
     bool inside;  // the light is in the box: nearest is a guess
 };
 
-Distances distances(const glm::dvec3& light, const Draw& draw, const THREE::Box3& box,
-                    const THREE::Sphere& sphere) {
-    const glm::dmat3 linear(draw.model);
-    const double stretch = std::sqrt(glm::dot(linear[0], linear[0]) + glm::dot(linear[1], linear[1]) +
-                                     glm::dot(linear[2], linear[2]));
-    const glm::dvec3 center(draw.model * glm::dvec4(glm::dvec3(sphere.center) - draw.origin, 1));
-    const double between = glm::length(light - center);
-    const double radius = sphere.radius * stretch;
-    const double farthest = std::log2(std::max(between + radius, 1e-300));
-    if (between > 1.5 * radius)
-        return {std::log2(between - radius), farthest, false};
-    // Near the mesh the sphere says nothing: the box in object space does, if that is not too flat to be turned round.
-    const double determinant = glm::determinant(linear);
-    double nearest = 0;
-    if (determinant != 0 && std::isfinite(1 / determinant)) {
-        const glm::dvec3 local = glm::inverse(linear) * (light - glm::dvec3(draw.model[3])) + draw.origin;
-        const glm::dvec3 inBox = glm::clamp(local, glm::dvec3(box.min), glm::dvec3(box.max));
-        nearest = glm::length(linear * (local - inBox));
+// Where a mesh is, frame space: formed once for all lights.
+class Bounds {
+  public:
+    Bounds(const Draw& draw, const THREE::Box3& box, const THREE::Sphere& sphere)
+        : linear_(draw.model), place_(draw.model[3]), origin_(draw.origin), box_(box),
+          center_(draw.model * glm::dvec4(glm::dvec3(sphere.center) - draw.origin, 1)) {
+        const double stretch = std::sqrt(glm::dot(linear_[0], linear_[0]) + glm::dot(linear_[1], linear_[1]) +
+                                         glm::dot(linear_[2], linear_[2]));
+        radius_ = sphere.radius * stretch;
+        const double determinant = glm::determinant(linear_);
+        turnsRound_ = determinant != 0 && std::isfinite(1 / determinant);
+        if (turnsRound_)
+            inverse_ = glm::inverse(linear_);
     }
-    return nearest > 0 ? Distances{std::log2(nearest), farthest, false}
-                       : Distances{nearestInside, farthest, true};
-}
+
+    Distances to(const glm::dvec3& light) const {
+        const double between = glm::length(light - center_);
+        const double farthest = std::log2(std::max(between + radius_, 1e-300));
+        if (between > 1.5 * radius_)
+            return {std::log2(between - radius_), farthest, false};
+        // Near the mesh the sphere says nothing: the box in object space does, if that is not too flat to be turned round.
+        double nearest = 0;
+        if (turnsRound_) {
+            const glm::dvec3 local = inverse_ * (light - place_) + origin_;
+            const glm::dvec3 inBox = glm::clamp(local, glm::dvec3(box_.min), glm::dvec3(box_.max));
+            nearest = glm::length(linear_ * (local - inBox));
+        }
+        return nearest > 0 ? Distances{std::log2(nearest), farthest, false}
+                           : Distances{nearestInside, farthest, true};
+    }
+
+  private:
+    glm::dmat3 linear_, inverse_{1.0};
+    glm::dvec3 place_, origin_;
+    THREE::Box3 box_;
+    glm::dvec3 center_;
+    double radius_ = 0;
+    bool turnsRound_ = false;
+};
 
 // Whether d^(k + 1) and d^2 of distances from 2^nearest to 2^farthest are numbers that floats hold well.
 bool divisorsFit(const Distances& d, double k) {
@@ -62,8 +79,9 @@ bool needsScaling(const FramePlan& plan, const Draw& draw, const THREE::Box3& bo
     double strongest = largest(plan.ambient);
     for (const DirectionalAddend& light : plan.directional)
         strongest += std::max(largest(light.color), light.intensity);
+    const Bounds bounds(draw, box, sphere);
     for (const PointAddend& light : plan.point) {
-        const Distances d = distances(light.position, draw, box, sphere);
+        const Distances d = bounds.to(light.position);
         if (light.exponent != 0 || !divisorsFit(d, light.decay))
             return true;
         const double factor = light.decay == 0 ? 1

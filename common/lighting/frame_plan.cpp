@@ -39,15 +39,8 @@ double frameUnit(const THREE::Scene& scene, const Settings& settings, const glm:
         return 1;
     double farthest = settings.focusDistance;
     scene.traverseVisible([&](const THREE::Object3D& object) {
-        if (const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object)) {
-            const glm::dmat4& m = mesh->matrixWorld.elements;
-            const THREE::Sphere& sphere = mesh->geometry->boundingSphere();
-            const glm::dvec3 center(m * glm::dvec4(glm::dvec3(sphere.center), 1));
-            const double stretch = std::max({glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])),
-                                             glm::length(glm::dvec3(m[2]))});
-            farthest =
-                std::max(farthest, glm::length(center - anchor) + std::max(sphere.radius, 0.0) * stretch);
-        }
+        if (const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object))
+            farthest = std::max(farthest, THREE::reach(*mesh, anchor));
     });
     return powerOfTwoBelow(std::max(settings.focusDistance, farthest * 0x1p-100));
 }

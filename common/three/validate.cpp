@@ -12,6 +12,22 @@
 
 namespace THREE {
 
+namespace {
+
+double radiusInWorld(const Mesh& mesh) {
+    double stretch = 0;
+    for (int column = 0; column < 3; ++column)
+        stretch = std::max(stretch, Vector3(glm::dvec3(mesh.matrixWorld.elements[column])).length());
+    return std::max(mesh.geometry->boundingSphere().radius, 0.0) * stretch;
+}
+
+}  // namespace
+
+double reach(const Mesh& mesh, const Vector3& from) {
+    const Vector3 center = mesh.matrixWorld.applyTo(mesh.geometry->boundingSphere().center);
+    return center.distanceTo(from) + radiusInWorld(mesh);
+}
+
 std::string describe(const Object3D& object) {
     if (!object.name.empty())
         return std::string(object.type()) + " '" + object.name + "'";
@@ -145,13 +161,6 @@ void checkGeometry(const BufferGeometry& geometry, const Check& check) {
     geometry.markValidated();
 }
 
-double radiusInWorld(const Mesh& mesh) {
-    double stretch = 0;
-    for (int column = 0; column < 3; ++column)
-        stretch = std::max(stretch, Vector3(glm::dvec3(mesh.matrixWorld.elements[column])).length());
-    return std::max(mesh.geometry->boundingSphere().radius, 0.0) * stretch;
-}
-
 void checkMesh(const Mesh& mesh, const Check& check) {
     if (!mesh.geometry)
         check.fail(
@@ -198,11 +207,10 @@ void checkReach(const Scene& scene, const PerspectiveCamera& camera) {
         const auto* mesh = dynamic_cast<const Mesh*>(&object);
         if (mesh == nullptr)
             return;
-        const Vector3 center = mesh->matrixWorld.applyTo(mesh->geometry->boundingSphere().center);
-        const double reach = center.distanceTo(eye) + radiusInWorld(*mesh);
-        if (!(reach <= farthest))
+        const double found = reach(*mesh, eye);
+        if (!(found <= farthest))
             refuse(describe(*mesh), "distance from the camera and size together",
-                   "at most 1e30 times the camera's near (" + std::string(text) + ")", reach);
+                   "at most 1e30 times the camera's near (" + std::string(text) + ")", found);
     });
 }
 

@@ -20,6 +20,9 @@ inline constexpr double largestNumber = 1e36;
 /// A mesh that reaches farther from the camera than this many times `near` is refused: floats cannot interpolate over it.
 inline constexpr double largestReach = 1e30;
 
+/// From `from`, world space, to the farthest point of the mesh's bounding sphere. Its matrices must be up to date.
+double reach(const Mesh& mesh, const Vector3& from);
+
 /// "PointLight 'luce2'" or "Mesh (no name, child 3 of Scene)": how messages call an object.
 std::string describe(const Object3D& object);
 

@@ -72,12 +72,13 @@ Errors at(double offset) {
     const lighting::reference::Reference<Real> reference(
         stage.scene, stage.camera, stage.options.settings.terms, stage.options.width, stage.options.height);
     const auto place = lighting::reference::placeOf<Real>(stage.mesh);
+    const lighting::reference::Planes<Real> planes(place);
     Errors e;
     for (int i = 0; i < 25; ++i) {
         const int x = 8 + i % 5 * 12, y = 8 + i / 5 * 12;
         e.gl = std::max(e.gl, 255 * std::abs(drawn.at(x, y).r - reference.probe(x, y).P.r));
         const glm::dvec3 local(0.25 * (i % 5 - 2), 0.25 * (i / 5 - 2), 0);
-        const Real truth = byHand(s, place.direction(Vec(local)), place.normal({0, 0, 1}));
+        const Real truth = byHand(s, place.direction(Vec(local)), planes.normal({0, 0, 1}));
         const support::StrictVertex vertex = support::strictVertex(draw, local, {0, 0, 1});
         const support::StrictFragment twin =
             support::strictFragment(drawn.plan, draw, vertex.worldPosition, vertex.worldNormal);

@@ -156,8 +156,9 @@ Truth truth(Stage& stage) {
     using namespace lighting::reference;
     using Vec = Vec3<long double>;
     const auto place = placeOf<long double>(stage.mesh);
+    const Planes<long double> planes(place);
     const auto normal = [&](std::size_t i) {
-        return place.normal(unit(toVec<long double>(stage.geometry.getAttribute("normal")->getXYZ(i))));
+        return planes.normal(unit(toVec<long double>(stage.geometry.getAttribute("normal")->getXYZ(i))));
     };
     // About the point itself: near lights would lose digits about anything else.
     const Vec Q = place.direction(toVec<long double>(middleOf(stage.geometry))) + place.origin;

@@ -44,18 +44,27 @@ struct Place {
     Vec3<T> x, y, z, origin;
 
     Vec3<T> direction(const Vec3<T>& v) const { return x * v.x + y * v.y + z * v.z; }
-    /// Six times the volume that the unit cube becomes, negative in a mirror.
+    /// The volume that the unit cube becomes, negative in a mirror.
     T determinant() const { return glm::dot(x, glm::cross(y, z)); }
+};
+
+/// What a Place makes of planes, formed once for many vectors: where normals go, and the way back.
+template <class T>
+struct Planes {
+    Vec3<T> x, y, z;  ///< cofactors of the place's axes
+    T determinant;
+
+    explicit Planes(const Place<T>& place)
+        : x(glm::cross(place.y, place.z)), y(glm::cross(place.z, place.x)), z(glm::cross(place.x, place.y)),
+          determinant(place.determinant()) {}
     /// Normals stay at right angles to the surface: the plane of two tangents is carried along, inside stays inside.
     Vec3<T> normal(const Vec3<T>& n) const {
-        const Vec3<T> carried = glm::cross(y, z) * n.x + glm::cross(z, x) * n.y + glm::cross(x, y) * n.z;
-        return unit<T>(determinant() < T(0) ? -carried : carried);
+        const Vec3<T> carried = x * n.x + y * n.y + z * n.z;
+        return unit<T>(determinant < T(0) ? -carried : carried);
     }
-    /// The direction that `direction` takes to v.
+    /// The direction that Place::direction takes to v.
     Vec3<T> inverseDirection(const Vec3<T>& v) const {
-        const T d = determinant();
-        return {glm::dot(v, glm::cross(y, z)) / d, glm::dot(v, glm::cross(z, x)) / d,
-                glm::dot(v, glm::cross(x, y)) / d};
+        return {glm::dot(v, x) / determinant, glm::dot(v, y) / determinant, glm::dot(v, z) / determinant};
     }
 };
 
@@ -136,13 +145,14 @@ Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera) {
     body.turnsNormals = material.side != THREE::FrontSide;
     body.D = toVec<T>(material.color);
     body.emitted = toVec<T>(material.emitted());
+    const Planes<T> planes(place), cameraPlanes(camera);
     body.vertices.resize(geometry.vertexCount());
     for (std::size_t i = 0; i < body.vertices.size(); ++i) {
         const THREE::Vector3 position = geometry.getAttribute("position")->getXYZ(i);
         Vertex<T>& vertex = body.vertices[i];
         vertex.Q = place.direction(toVec<T>(position)) + place.origin;
-        vertex.view = camera.inverseDirection(vertex.Q);
-        vertex.n = body.flat ? Vec3<T>(T(0)) : place.normal(unit<T>(toVec<T>(normals->getXYZ(i))));
+        vertex.view = cameraPlanes.inverseDirection(vertex.Q);
+        vertex.n = body.flat ? Vec3<T>(T(0)) : planes.normal(unit<T>(toVec<T>(normals->getXYZ(i))));
     }
     body.index.resize(geometry.triangleCount() * 3);
     for (std::size_t t = 0; t < geometry.triangleCount(); ++t) {

@@ -244,6 +244,7 @@ bool Reference<T>::isEdge(const std::vector<Hit>& hits, int x, int y, double nor
         return hits[static_cast<std::size_t>(row * width_ + column)];
     };
     const Hit& here = at(x, y);
+    std::optional<Surface<T>> mine;  // found when first needed
     for (int row = std::max(y - 1, 0); row <= std::min(y + 1, height_ - 1); ++row)
         for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width_ - 1); ++column) {
             const Hit& there = at(column, row);
@@ -251,7 +252,8 @@ bool Reference<T>::isEdge(const std::vector<Hit>& hits, int x, int y, double nor
                 return true;
             if (here.body == none || there.triangle == here.triangle)
                 continue;
-            const std::optional<Surface<T>> mine = extended(here.body, here.triangle, x, y);
+            if (!mine)
+                mine = extended(here.body, here.triangle, x, y);
             const std::optional<Surface<T>> theirs = extended(there.body, there.triangle, x, y);
             if (!theirs || !(std::abs(static_cast<double>(theirs->depth / mine->depth) - 1) <= 0.01) ||
                 !(static_cast<double>(glm::dot(theirs->n - mine->n, theirs->n - mine->n)) <=
