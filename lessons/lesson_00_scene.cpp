@@ -26,7 +26,6 @@ int main(int argc, char** argv) {
 
     // The geometry: 51,200 triangles with a normal at each vertex.
     THREE::TorusKnotGeometry buffers(0.9, 0.34, 400, 64);
-
     // The mesh, off the axes, so that no side of it is special.
     THREE::Mesh miaMesh(buffers);
     miaMesh.position.set(0, 1.55, 0);
@@ -40,6 +39,8 @@ int main(int argc, char** argv) {
     pavimento.rotation.x = -1.5707963267948966;
     miaScena.add(pavimento);
 
-    // The knot turns with the time.
-    return app.run(miaScena, miaCamera, [&](double t) { miaMesh.rotation.y = 0.3 + 0.6 * t; });
+    return app.run(miaScena, miaCamera, [&](double t) {
+        // The knot turns with the time.
+        miaMesh.rotation.y = 0.3 + 0.6 * t;
+    });
 }

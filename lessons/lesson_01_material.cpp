@@ -25,7 +25,6 @@ int main(int argc, char** argv) {
 
     // The geometry: 51,200 triangles with a normal at each vertex.
     THREE::TorusKnotGeometry buffers(0.9, 0.34, 400, 64);
-
     // Slide 36, step 1: make the material and use it for the mesh.  // NUOVO 36.1
     THREE::MeshLambertMaterial mioMat;  // NUOVO 36.1
 
@@ -35,7 +34,6 @@ int main(int argc, char** argv) {
     miaMesh.position.set(0, 1.55, 0);
     miaMesh.rotation.set(0.5, 0.3, 0.2);
     miaScena.add(miaMesh);
-
     // Step 2: set the base colour D (an orange, whatever slide 36 calls it).  // NUOVO 36.2
     mioMat.color.set(0xFF8855);  // NUOVO 36.2
 
@@ -47,6 +45,8 @@ int main(int argc, char** argv) {
     pavimento.rotation.x = -1.5707963267948966;
     miaScena.add(pavimento);
 
-    // The knot turns with the time.
-    return app.run(miaScena, miaCamera, [&](double t) { miaMesh.rotation.y = 0.3 + 0.6 * t; });
+    return app.run(miaScena, miaCamera, [&](double t) {
+        // The knot turns with the time.
+        miaMesh.rotation.y = 0.3 + 0.6 * t;
+    });
 }

@@ -26,7 +26,6 @@ int main(int argc, char** argv) {
 
     // The geometry: 51,200 triangles with a normal at each vertex.
     THREE::TorusKnotGeometry buffers(0.9, 0.34, 400, 64);
-
     // Slide 36, step 1: make the material and use it for the mesh.
     THREE::MeshLambertMaterial mioMat;
 
@@ -35,7 +34,6 @@ int main(int argc, char** argv) {
     miaMesh.position.set(0, 1.55, 0);
     miaMesh.rotation.set(0.5, 0.3, 0.2);
     miaScena.add(miaMesh);
-
     // Step 2: set the base colour D (an orange, whatever slide 36 calls it).
     mioMat.color.set(0xFF8855);
 
@@ -49,11 +47,12 @@ int main(int argc, char** argv) {
     // Slide 36, step 3: make a light, a directional one, and add it to the scene.  // NUOVO 36.3
     THREE::DirectionalLight miaLuce;  // NUOVO 36.3
     miaScena.add(miaLuce);  // NUOVO 36.3
-
     // Step 4: its colour L, and its direction; "position" is normalised.  // NUOVO 36.4
     miaLuce.color.set(0xFFFFFF);  // NUOVO 36.4
     miaLuce.position.set(0, 3, -2);  // NUOVO 36.4
 
-    // The knot turns with the time.
-    return app.run(miaScena, miaCamera, [&](double t) { miaMesh.rotation.y = 0.3 + 0.6 * t; });
+    return app.run(miaScena, miaCamera, [&](double t) {
+        // The knot turns with the time.
+        miaMesh.rotation.y = 0.3 + 0.6 * t;
+    });
 }

@@ -25,7 +25,6 @@ int main(int argc, char** argv) {
 
     // The geometry: 51,200 triangles with a normal at each vertex.
     THREE::TorusKnotGeometry buffers(0.9, 0.34, 400, 64);
-
     // Slide 36, step 1: make the material and use it for the mesh.
     THREE::MeshLambertMaterial mioMat;
 
@@ -34,7 +33,6 @@ int main(int argc, char** argv) {
     miaMesh.position.set(0, 1.55, 0);
     miaMesh.rotation.set(0.5, 0.3, 0.2);
     miaScena.add(miaMesh);
-
     // Step 2: set the base colour D (an orange, whatever slide 36 calls it).
     mioMat.color.set(0xFF8855);
 
@@ -48,7 +46,6 @@ int main(int argc, char** argv) {
     // Slide 36, step 3: make a light, a directional one, and add it to the scene.
     THREE::DirectionalLight miaLuce;
     miaScena.add(miaLuce);
-
     // Step 4: its colour L, and its direction; "position" is normalised.
     miaLuce.color.set(0xFFFFFF);
     miaLuce.position.set(0, 3, -2);
@@ -56,11 +53,12 @@ int main(int argc, char** argv) {
     // Slide 37, step 5: a second light, one that stands somewhere, as a bulb does.  // NUOVO 37.5
     THREE::PointLight luce2;  // NUOVO 37.5
     miaScena.add(luce2);  // NUOVO 37.5
-
     // Step 6: its colour, a reddish one, and this time a real position.  // NUOVO 37.6
     luce2.color.set(0xDD6666);  // NUOVO 37.6
     luce2.position.set(2, 1.5, 5);  // NUOVO 37.6
 
-    // The knot turns with the time.
-    return app.run(miaScena, miaCamera, [&](double t) { miaMesh.rotation.y = 0.3 + 0.6 * t; });
+    return app.run(miaScena, miaCamera, [&](double t) {
+        // The knot turns with the time.
+        miaMesh.rotation.y = 0.3 + 0.6 * t;
+    });
 }

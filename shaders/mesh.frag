@@ -3,7 +3,7 @@
 #include "variant.glsl"
 #include "lighting.glsl"
 
-in vec3 worldPosition;  // about the anchor, as the lights' positions are
+in vec3 worldPosition;  // about the anchor (or in view space), as the lights' positions are
 in vec3 worldNormal;    // interpolated, so shorter than 1 between the vertices
 
 uniform vec3 baseColor;  // D, slide 27

@@ -40,11 +40,17 @@ vec3 times_power_of_two(vec3 x, float e)
 
 vec3 add(vec3 P, vec3 x) { return limit(P + x); }
 
+// Colours on their way through the rasteriser, which has to multiply and divide them by depths.
+vec3 to_varying(vec3 P) { return P * power_of_two(-32); }
+vec3 from_varying(vec3 P) { return limit(P * power_of_two(32)); }
+
 #else
 
 bool is_surface(vec3 Q) { return true; }
 int shrink(inout vec3 v) { return 0; }
 vec3 times_power_of_two(vec3 x, float e) { return x; }
 vec3 add(vec3 P, vec3 x) { return P + x; }
+vec3 to_varying(vec3 P) { return P; }
+vec3 from_varying(vec3 P) { return P; }
 
 #endif

@@ -1,24 +1,9 @@
 // What every shader of a variant shares. The framework writes the #defines above it: only what the scene has.
 // SPDX-License-Identifier: MIT
 
-#ifdef FRAGMENT_SHADER
-
-layout(location = 0) out vec4 pixel;
-
-// -1 on the back of a surface that is drawn on its back too, as in three.js
-float facing()
-{
-#if DOUBLE_SIDED
-    return gl_FrontFacing ? 1.0 : -1.0;
-#else
-    return 1.0;
-#endif
-}
-
 #if COUNT_NONFINITE
 
-// A pixel that met NaN or infinity anywhere is marked in a second target (--stats, tests).
-layout(location = 1) out vec4 nonfinite;
+// What met NaN or infinity anywhere is marked (--stats, tests).
 bool met_nonfinite = false;
 
 void watch(float x)
@@ -40,9 +25,27 @@ void watch_nan(vec3 v) { watch_nan(v.x); watch_nan(v.y); watch_nan(v.z); }
 
 void watch(float x) {}
 void watch(vec3 v) {}
+void watch_nan(float x) {}
 void watch_nan(vec3 v) {}
 
 #endif
+
+#ifdef FRAGMENT_SHADER
+
+layout(location = 0) out vec4 pixel;
+#if COUNT_NONFINITE
+layout(location = 1) out vec4 nonfinite;  // a second target
+#endif
+
+// -1 on the back of a surface that is drawn on its back too, as in three.js
+float facing()
+{
+#if DOUBLE_SIDED
+    return gl_FrontFacing ? 1.0 : -1.0;
+#else
+    return 1.0;
+#endif
+}
 
 // A sum beyond the largest float is stored as the largest float.
 void write_pixel(vec3 P)

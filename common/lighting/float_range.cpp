@@ -89,7 +89,9 @@ bool needsScaling(const FramePlan& plan, const Draw& draw, const THREE::Box3& bo
                                                : std::min(std::exp2(-light.decay * d.nearest), largestFactor);
         strongest += std::max(largest(light.color), light.intensity) * factor;
     }
-    return !(std::max(largest(draw.albedo), 1.0) * strongest + largest(draw.emitted) <= largestSum);
+    const double highlight = largest(draw.specular) * std::max(1.0, (draw.shininess + 2) / 8);
+    return !((std::max(largest(draw.albedo), 1.0) + highlight) * strongest + largest(draw.emitted) <=
+             largestSum);
 }
 
 void fitToFloats(PointAddend& light, double unit, bool attenuated) {

@@ -45,6 +45,27 @@ double frameUnit(const THREE::Scene& scene, const Settings& settings, const glm:
     return powerOfTwoBelow(std::max(settings.focusDistance, farthest * 0x1p-100));
 }
 
+// What takes frame space to the space that the equation is evaluated in. View space is the camera's own place and turning,
+// without a scale that it may have: distances must stay distances.
+glm::dmat4 lightingSpace(Space space, const glm::dmat4& cameraPlace) {
+    if (space == Space::world)
+        return glm::dmat4(1.0);
+    const glm::dvec3 z = glm::normalize(glm::dvec3(cameraPlace[2]));
+    const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(cameraPlace[1]), z));
+    const glm::dmat4 rigid(glm::dvec4(x, 0), glm::dvec4(glm::cross(z, x), 0), glm::dvec4(z, 0),
+                           cameraPlace[3]);
+    return glm::inverse(rigid);
+}
+
+// Normals by the model matrix alone, as slide 33 words it. Their length does not matter.
+glm::dmat3 withoutInverseTranspose(const glm::dmat3& model) {
+    double largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            largest = std::max(largest, std::abs(model[column][row]));
+    return largest > 0 ? model / largest : model;
+}
+
 int decayGroup(const PointAddend& light) {
     return light.decay == 0 ? 0 : light.decay == 1 ? 1 : light.decay == 2 ? 2 : 3;
 }
@@ -62,6 +83,8 @@ class Planner {
         projection_ = camera.projectionMatrix();
         projection_[3][2] /= plan_.unit;
         near_ = camera.near / plan_.unit;
+        toLighting_ = lightingSpace(settings.space, place);
+        plan_.eye = toLighting_ * place[3];
     }
 
     FramePlan run(const THREE::Scene& scene) {
@@ -132,9 +155,11 @@ class Planner {
             const glm::dvec3 position = glm::dvec3(point->matrixWorld.position()) - plan_.anchor;
             PointAddend addend{position, color, light.intensity, point->decay, point->distance};
             fitToFloats(addend, plan_.unit, settings_.terms.has(Term::attenuation));
+            addend.position = toLighting_ * glm::dvec4(addend.position, 1);
             plan_.point.push_back(addend);
         } else if (const auto* directional = dynamic_cast<const THREE::DirectionalLight*>(&light)) {
-            plan_.directional.push_back({directional->directionTowardsLight(), color, light.intensity});
+            const glm::dvec3 w = directional->directionTowardsLight();
+            plan_.directional.push_back({glm::dmat3(toLighting_) * w, color, light.intensity});
         }
     }
 
@@ -150,17 +175,18 @@ class Planner {
         }
         v.ambient = hasAmbient_;
         v.countNonfinite = settings_.countNonfinite;
+        v.perVertex = settings_.shading == Shading::vertex;
         TermSet used = settings_.terms;
         if (settings_.skip) {
             const auto drop = [&used](bool unused, std::initializer_list<Term> list) {
                 for (const Term term : list)
                     used = unused ? used.without(term) : used;
             };
-            drop(true, {Term::specular});
             drop(v.directional == 0, {Term::directional});
             drop(v.point() == 0, {Term::point, Term::attenuation});
             drop(v.point() == v.decay0 && !v.window, {Term::attenuation});
-            drop(v.directional + v.point() == 0, {Term::cosine, Term::clamp, Term::lightColor});
+            drop(v.directional + v.point() == 0,
+                 {Term::cosine, Term::clamp, Term::lightColor, Term::specular});
             drop(!v.ambient, {Term::ambient});
         }
         v.terms = used.bits();
@@ -180,7 +206,9 @@ class Planner {
         // Vertices far from their own origin (a map's coordinates) keep their digits: the near origin is zero.
         draw.origin = snapToGrid(sphere.center, std::max(sphere.radius, 1e-30) * 16);
         draw.model = toFrame(mesh.matrixWorld.elements) * glm::translate(glm::dmat4(1.0), draw.origin);
-        draw.normalMatrix = THREE::normalMatrix(mesh.matrixWorld.elements);
+        draw.normalMatrix = settings_.normals == NormalTransform::inverseTranspose
+                                ? THREE::normalMatrix(mesh.matrixWorld.elements)
+                                : withoutInverseTranspose(mesh.matrixWorld.elements);
         draw.clip = projection_ * view_ * draw.model;
         draw.mirrored = glm::determinant(glm::dmat3(mesh.matrixWorld.elements)) < 0;
         if (isZero(glm::dvec3(draw.model[0])) && isZero(glm::dvec3(draw.model[1])) &&
@@ -188,19 +216,44 @@ class Planner {
             return skipMesh(mesh, "its scale is 0");
         if (!place(draw, sphere) && settings_.skip)
             return skipMesh(mesh, "it is outside the camera's view");
+        if (settings_.space == Space::view) {
+            draw.model = toLighting_ * draw.model;
+            draw.normalMatrix = glm::dmat3(toLighting_) * draw.normalMatrix;
+        }
         draw.albedo = toVec(material.color);
         draw.emitted = toVec(material.emitted());
+        draw.flat = material.flatShading || settings_.shading == Shading::flat ||
+                    geometry.getAttribute("normal") == nullptr;
         draw.variant.countNonfinite = settings_.countNonfinite;
-        if (material.isLit()) {
-            draw.variant = lights;
-            draw.variant.doubleSided = material.side != THREE::FrontSide;
-            draw.variant.scaled =
-                draw.reach > 0x1p40 * near_ || needsScaling(plan_, draw, geometry.boundingBox(), sphere);
-            plan_.litMeshes = true;
-            plan_.emissive |= !isZero(draw.emitted);
-            plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
-        }
+        if (material.isLit())
+            light(draw, lights);
         plan_.draws.push_back(draw);
+    }
+
+    // What a lit material adds to a draw.
+    void light(Draw& draw, const Variant& lights) {
+        const THREE::BufferGeometry& geometry = *draw.mesh->geometry;
+        const THREE::Material& material = *draw.mesh->material;
+        draw.variant = lights;
+        draw.variant.doubleSided = material.side != THREE::FrontSide;
+        if (const auto* phong = dynamic_cast<const THREE::MeshPhongMaterial*>(&material)) {
+            const bool blinn =
+                settings_.specular.value_or(phong->specularModel) == THREE::SpecularModel::blinn;
+            draw.variant.blinn = blinn;
+            draw.specular = toVec(phong->specular);
+            draw.shininess = blinn ? std::max(phong->shininess, 1e-4) : phong->shininess;  // as three.js does
+        }
+        const bool shiny = !isZero(draw.specular);
+        if (settings_.skip && !shiny)
+            draw.variant.terms &= ~TermSet::none().with(Term::specular).bits();
+        // Beyond 2^40 near positions interpolate badly; the direction to the eye needs squares that fit as well.
+        const bool extremeView = shiny && (near_ < 0x1p-50 || draw.reach > 0x1p60);
+        draw.variant.scaled = draw.reach > 0x1p40 * near_ || extremeView ||
+                              needsScaling(plan_, draw, geometry.boundingBox(), geometry.boundingSphere());
+        plan_.litMeshes = true;
+        plan_.shiny |= shiny;
+        plan_.emissive |= !isZero(draw.emitted);
+        plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
     }
 
     // Depth of the bounding sphere; false if it is wholly outside one of the planes of the view.
@@ -228,6 +281,7 @@ class Planner {
     FramePlan plan_;
     glm::dmat4 view_;
     glm::dmat4 projection_;
+    glm::dmat4 toLighting_;  // from frame space
     double near_;  // frame units
     bool hasAmbient_ = false;
 };
@@ -286,7 +340,11 @@ Text idleReason(Term term, const FramePlan& plan) {
             return {"nessuna luce ambiente", "no ambient light"};
         break;
     case Term::specular:
-        return {"nessun materiale lucido", "no shiny material"};
+        if (!plan.shiny)
+            return {"nessun materiale lucido", "no shiny material"};
+        if (addends == 0)
+            return {"nessuna luce con una direzione", "no light with a direction"};
+        break;
     }
     return {nullptr, nullptr};
 }

@@ -16,8 +16,7 @@
 namespace lighting {
 
 /// What the user chose for the frame; scene and camera come beside it.
-struct Settings {
-    TermSet terms = TermSet::all();
+struct Settings : Switches {
     bool skip =
         true;  ///< false: every draw, light, term, cull and upload that could be dropped is kept (--no-skip)
     bool countNonfinite = false;  ///< count pixels where an operand was NaN or infinite
@@ -27,14 +26,14 @@ struct Settings {
 
 /// An addend of the sum whose direction is the same everywhere (slides 29-30).
 struct DirectionalAddend {
-    glm::dvec3 w;  ///< unit vector towards the light, world space
+    glm::dvec3 w;  ///< unit vector towards the light, lighting space
     glm::dvec3 color;  ///< L = color x intensity
     double intensity;  ///< what stays when light_color is off
 };
 
 /// An addend whose light comes from a point (slides 29-31).
 struct PointAddend {
-    glm::dvec3 position;  ///< frame space
+    glm::dvec3 position;  ///< lighting space
     glm::dvec3 color;  ///< L = color x intensity x 2^exponent, for distances in frame units
     double intensity;  ///< what stays of color when light_color is off
     double decay;  ///< k of f(d) = 1/d^k
@@ -46,6 +45,8 @@ struct PointAddend {
 struct Variant {
     unsigned terms = 0;  ///< TermSet bits, without those that cannot matter here
     bool lit = false;  ///< unlit materials have no equation at all
+    bool perVertex = false;  ///< the equation is in the vertex shader (Shading::vertex)
+    bool blinn = false;  ///< three.js's highlight instead of the slides' R
     bool doubleSided = false;  ///< the normal is turned on back faces
     bool ambient = false;  ///< there is an ambient light
     bool window = false;  ///< some point light has a `distance`
@@ -61,15 +62,20 @@ struct Variant {
     auto operator<=>(const Variant&) const = default;
 };
 
-/// One mesh to draw. Frame space is world space about the anchor, in units of FramePlan::unit. Matrices are formed in double and rounded to float once, by the renderer.
+/// One mesh to draw. Lighting space is where the equation is evaluated: frame space, which is world space about the anchor in
+/// units of FramePlan::unit, or view space in the same units (Space::view). Matrices are formed in double and rounded to
+/// float once, by the renderer.
 struct Draw {
     const THREE::Mesh* mesh = nullptr;
     glm::dvec3 origin{0};  ///< object space; vertices are uploaded relative to it, which the matrices undo
-    glm::dmat4 model;  ///< object space to frame space
-    glm::dmat3 normalMatrix;  ///< normals of object space to frame space, see THREE::normalMatrix
+    glm::dmat4 model;  ///< object space to lighting space
+    glm::dmat3 normalMatrix;  ///< normals of object space to lighting space, see THREE::normalMatrix
     glm::dmat4 clip;  ///< object space to clip space
     glm::dvec3 albedo;  ///< D, or the pixel's colour for an unlit material
     glm::dvec3 emitted;  ///< added after the sum
+    glm::dvec3 specular{0};  ///< K_S; 0 for materials that do not shine
+    double shininess = 0;  ///< s
+    bool flat = false;  ///< one normal per triangle
     Variant variant;
     bool mirrored = false;  ///< the model matrix turns triangles round: front faces are clockwise
     double reach = 0;  ///< from the eye to the farthest point of its bounding sphere, frame units
@@ -88,6 +94,7 @@ struct FramePlan {
     glm::dvec3 anchor{0};  ///< world space: the origin that positions are relative to, on a power-of-two grid
     double unit =
         1;  ///< world units in a frame unit: 1, or a power of two where the view is very small or very large
+    glm::dvec3 eye{0};  ///< where the camera is, lighting space
     glm::dvec3 ambient{0};  ///< sum of the ambient lights: L_A
     std::vector<DirectionalAddend> directional;
     std::vector<PointAddend> point;  ///< sorted by exponent: 0, 1, 2, others; scene order within each
@@ -98,6 +105,7 @@ struct FramePlan {
     int lightsSkipped = 0;
     bool litMeshes = false;  ///< some drawn material is lit
     bool emissive = false;  ///< some lit material gives off light of its own
+    bool shiny = false;  ///< some drawn material has a highlight
     /// Some light that is not ambient is not white; it may be black, and so be skipped.
     bool lightColorMatters = false;
     bool albedoNotWhite = false;  ///< some lit material's base colour is not (1,1,1)

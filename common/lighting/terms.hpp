@@ -1,8 +1,12 @@
-// The symbols of the lighting equation that can be switched: one table for keys, options, panel, shaders and tests.
+// What can be switched about the lighting equation: its symbols, in one table for keys, options, panel, shaders and tests,
+// and where and how it is evaluated.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "three/materials.hpp"
+
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -53,6 +57,34 @@ class TermSet {
   private:
     explicit TermSet(unsigned bits) : bits_(bits) {}
     unsigned bits_;
+};
+
+/// Where the equation is evaluated (slide 33, "varianti e ottimizzazioni").
+enum class Shading {
+    pixel,  ///< at each fragment, with the interpolated normal
+    vertex,  ///< at each vertex; what comes out is interpolated (Gouraud)
+    flat  ///< at each fragment, with one normal for the whole triangle, as material.flatShading
+};
+
+/// The space that points and vectors of the equation are in (slide 33): the same picture.
+enum class Space { world, view };
+
+/// What takes normals out of object space (slide 33).
+enum class NormalTransform {
+    inverseTranspose,  ///< the normal matrix: they stay at right angles to the surface
+    model  ///< the model matrix alone, as the slide words it: wrong where a mesh is stretched in one direction
+};
+
+/// What a user can switch about the equation.
+struct Switches {
+    TermSet terms;
+    Shading shading = Shading::pixel;
+    Space space = Space::world;
+    NormalTransform normals = NormalTransform::inverseTranspose;
+    std::optional<THREE::SpecularModel> specular;  ///< instead of each material's own model
+
+    Switches(TermSet on = TermSet::all()) : terms(on) {}
+    bool operator==(const Switches&) const = default;
 };
 
 /// Reads --terms: "all", "none", a list of names to keep ("cosine,albedo"), or of changes to `start` ("-clamp,+ambient").

@@ -132,14 +132,15 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
 
     lights_.set(plan);
     for (const lighting::Draw& mesh : plan.draws)
-        drawMesh(mesh, settings);
+        drawMesh(mesh, plan.eye, settings);
     glBindVertexArray(0);
     geometries_.endFrame();
     stats_.uploadedBytes = geometries_.uploadedBytes() + lights_.uploadedBytes() - before;
     stats_.compileMilliseconds = programs_.compileMilliseconds();
 }
 
-void GlRenderer::drawMesh(const lighting::Draw& draw, const lighting::Settings& settings) {
+void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
+                          const lighting::Settings& settings) {
     Program& program = programs_.get(draw.variant);
     glUseProgram(program.id);
     if (draw.variant.lit)
@@ -151,11 +152,16 @@ void GlRenderer::drawMesh(const lighting::Draw& draw, const lighting::Settings& 
     const glm::mat3 normal(draw.normalMatrix);
     const glm::vec3 albedo(draw.albedo);
     const glm::vec3 emitted(draw.emitted);
+    const glm::vec3 specular(draw.specular);
+    const glm::vec3 eye(eyePosition);
     glUniformMatrix4fv(program.modelViewProjectionMatrix, 1, GL_FALSE, glm::value_ptr(clip));
     glUniformMatrix4x3fv(program.modelMatrix, 1, GL_FALSE, glm::value_ptr(model));
     glUniformMatrix3fv(program.normalMatrix, 1, GL_FALSE, glm::value_ptr(normal));
     glUniform3fv(program.baseColor, 1, glm::value_ptr(albedo));
     glUniform3fv(program.emissive, 1, glm::value_ptr(emitted));
+    glUniform3fv(program.specularColor, 1, glm::value_ptr(specular));
+    glUniform1f(program.shininess, static_cast<float>(draw.shininess));
+    glUniform3fv(program.eyePosition, 1, glm::value_ptr(eye));
 
     const THREE::Side side = draw.mesh->material->side;
     if (side == THREE::DoubleSide)

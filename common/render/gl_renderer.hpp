@@ -40,7 +40,8 @@ class GlRenderer final : public Renderer {
   private:
     void draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width, int height);
     RenderTarget& target(const FrameRequest& request, bool countNonfinite);
-    void drawMesh(const lighting::Draw& draw, const lighting::Settings& settings);
+    void drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
+                  const lighting::Settings& settings);
 
     Programs programs_;
     GpuGeometries geometries_;

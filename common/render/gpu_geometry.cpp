@@ -47,18 +47,17 @@ GpuGeometries::~GpuGeometries() {
 
 const GpuGeometry& GpuGeometries::get(const lighting::Draw& draw, bool reuse) {
     const THREE::BufferGeometry& geometry = *draw.mesh->geometry;
-    const bool flat = draw.mesh->material->flatShading || geometry.getAttribute("normal") == nullptr;
-    GpuGeometry& gpu = geometries_[{geometry.id(), flat}];
+    GpuGeometry& gpu = geometries_[{geometry.id(), draw.flat}];
     if (gpu.version != geometry.version() || !reuse)
-        upload(draw, flat, gpu);
+        upload(draw, gpu);
     gpu.lastUsed = frame_;
     return gpu;
 }
 
-void GpuGeometries::upload(const lighting::Draw& draw, bool flat, GpuGeometry& gpu) {
+void GpuGeometries::upload(const lighting::Draw& draw, GpuGeometry& gpu) {
     const THREE::BufferGeometry* geometry = draw.mesh->geometry.get();
     THREE::BufferGeometry faces;
-    if (flat) {
+    if (draw.flat) {
         geometry->toFaces(faces);
         geometry = &faces;
     }

@@ -31,14 +31,14 @@ class GpuGeometries {
     GpuGeometries& operator=(const GpuGeometries&) = delete;
 
     /// The buffers of a draw's geometry, uploaded if they are new or changed, or always where `reuse` is false. A
-    /// geometry without normals, or with flatShading, gets three vertices per triangle and the triangle's normal.
+    /// flat draw gets three vertices per triangle and the triangle's normal.
     const GpuGeometry& get(const lighting::Draw& draw, bool reuse);
     /// Call once per frame: forgets what was not drawn for a long time.
     void endFrame();
     std::uint64_t uploadedBytes() const { return uploaded_; }
 
   private:
-    void upload(const lighting::Draw& draw, bool flat, GpuGeometry& gpu);
+    void upload(const lighting::Draw& draw, GpuGeometry& gpu);
 
     std::map<std::tuple<std::uint64_t, bool>, GpuGeometry>
         geometries_;  // by resource id and whether faces are flat

@@ -17,9 +17,10 @@ constexpr int mostUniformLights = 256;
 }  // namespace
 
 Programs::Programs(std::string shaderDirectory) : directory_(std::move(shaderDirectory)) {
-    GLint vectors = 0;
-    glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_VECTORS, &vectors);  // at least 224
-    uniformLights_ = std::min((vectors - 16) / 3, mostUniformLights);
+    GLint fragment = 0, vertex = 0;
+    glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_VECTORS, &fragment);  // at least 224
+    glGetIntegerv(GL_MAX_VERTEX_UNIFORM_VECTORS, &vertex);  // at least 256
+    uniformLights_ = std::min((std::min(fragment, vertex) - 24) / 3, mostUniformLights);
 }
 
 Programs::~Programs() {
@@ -61,10 +62,11 @@ GLuint Programs::compile(GLenum stage, const std::string& file, const std::strin
 
 Program Programs::build(const lighting::Variant& variant) {
     const bool texture = variant.directional + variant.point() > uniformLights_;
-    const GLuint vertex = compile(GL_VERTEX_SHADER, "mesh.vert", preamble(variant, false, texture));
+    const ShaderFiles files = shaderFiles(variant);
+    const GLuint vertex = compile(GL_VERTEX_SHADER, files.vertex, preamble(variant, false, texture));
     GLuint fragment = 0;
     try {
-        fragment = compile(GL_FRAGMENT_SHADER, fragmentFile(variant), preamble(variant, true, texture));
+        fragment = compile(GL_FRAGMENT_SHADER, files.fragment, preamble(variant, true, texture));
     } catch (...) {
         glDeleteShader(vertex);
         throw;
@@ -82,8 +84,8 @@ Program Programs::build(const lighting::Variant& variant) {
         char log[2048] = "";
         glGetProgramInfoLog(program.id, sizeof log, nullptr, log);
         glDeleteProgram(program.id);
-        throw ShaderError("the shaders of " + directory_ + " compile but do not fit together (mesh.vert, " +
-                          fragmentFile(variant) + "):\n" + log);
+        throw ShaderError("the shaders of " + directory_ + " compile but do not fit together (" +
+                          files.vertex + ", " + files.fragment + "):\n" + log);
     }
     const auto locate = [&program](GLint& place, const char* name) {
         place = glGetUniformLocation(program.id, name);
@@ -93,6 +95,9 @@ Program Programs::build(const lighting::Variant& variant) {
     locate(program.normalMatrix, "normalMatrix");
     locate(program.baseColor, "baseColor");
     locate(program.emissive, "emissive");
+    locate(program.specularColor, "specularColor");
+    locate(program.shininess, "shininess");
+    locate(program.eyePosition, "eyePosition");
     locate(program.ambientLight, "ambientLight");
     locate(program.lightGeometry, "lightGeometry");
     locate(program.lightRadiance, "lightRadiance");
@@ -101,8 +106,11 @@ Program Programs::build(const lighting::Variant& variant) {
     return program;
 }
 
-const char* fragmentFile(const lighting::Variant& variant) {
-    return variant.lit ? "mesh.frag" : "unlit.frag";
+ShaderFiles shaderFiles(const lighting::Variant& variant) {
+    if (!variant.lit)
+        return {"mesh.vert", "unlit.frag"};
+    return variant.perVertex ? ShaderFiles{"gouraud.vert", "gouraud.frag"}
+                             : ShaderFiles{"mesh.vert", "mesh.frag"};
 }
 
 std::string dumpShaders(const std::string& directory, const lighting::Variant& variant) {
@@ -111,7 +119,8 @@ std::string dumpShaders(const std::string& directory, const lighting::Variant& v
         const ShaderSource source = readShader(directory, file, preamble(variant, fragment, texture));
         return "// ==== " + file + "\n" + source.text + "\n";
     };
-    return part("mesh.vert", false) + part(fragmentFile(variant), true);
+    const ShaderFiles files = shaderFiles(variant);
+    return part(files.vertex, false) + part(files.fragment, true);
 }
 
 }  // namespace render

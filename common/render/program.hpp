@@ -19,6 +19,9 @@ struct Program {
     GLint normalMatrix = -1;
     GLint baseColor = -1;
     GLint emissive = -1;
+    GLint specularColor = -1;
+    GLint shininess = -1;
+    GLint eyePosition = -1;
     GLint ambientLight = -1;
     GLint lightGeometry = -1;
     GLint lightRadiance = -1;
@@ -56,7 +59,11 @@ class Programs {
 /// No context is needed: beyond 256 lights they are in a texture on every driver, below that as most drivers have it.
 std::string dumpShaders(const std::string& directory, const lighting::Variant& variant);
 
-/// The file name of a variant's fragment shader.
-const char* fragmentFile(const lighting::Variant& variant);
+/// The file names of a variant's shaders.
+struct ShaderFiles {
+    const char* vertex;
+    const char* fragment;
+};
+ShaderFiles shaderFiles(const lighting::Variant& variant);
 
 }  // namespace render

@@ -8,11 +8,29 @@ namespace THREE {
 namespace {
 
 void refuseTextures(const Node& node) {
-    // specularMap is not among them: it only scales an environment map.
+    // specularMap scales the highlight; without one it only scales an environment map.
     for (const char* map : {"map", "alphaMap", "envMap", "lightMap", "aoMap", "emissiveMap", "bumpMap",
                             "normalMap", "displacementMap", "matcap", "gradientMap"})
         if (const std::optional<Node> texture = node.findSet(map))
             texture->unsupported("textures are not supported; remove the field, or use a plain color");
+}
+
+void loadLambert(const Node& node, MeshLambertMaterial& lambert) {
+    lambert.emissive = node.color("emissive", "lambertEmissive", lambert.emissive);
+    lambert.emissiveIntensity = node.number("emissiveIntensity", 1);
+}
+
+void loadPhong(const Node& node, MeshPhongMaterial& phong) {
+    loadLambert(node, phong);
+    phong.specular = node.color("specular", "lambertSpecular", phong.specular);
+    phong.shininess = node.number("shininess", phong.shininess);
+    phong.specularModel = SpecularModel::blinn;
+    if (const std::optional<Node> texture = node.findSet("specularMap"))
+        texture->unsupported("textures are not supported; remove the field, or use a plain specular");
+    const std::optional<Node> userData = node.findSet("userData");
+    if (userData && userData->value().is_object())
+        if (const std::optional<Node> model = userData->find("specularModel"))
+            phong.specularModel = model->value() == "phong" ? SpecularModel::phong : SpecularModel::blinn;
 }
 
 void refuseTransparency(const Node& node) {
@@ -50,18 +68,24 @@ void refuseSwitches(const Node& node) {
 }
 
 std::shared_ptr<Material> make(const Node& node) {
-    const Node type = node.at("type", "\"MeshLambertMaterial\" or \"MeshBasicMaterial\"");
+    const Node type =
+        node.at("type", "\"MeshLambertMaterial\", \"MeshPhongMaterial\" or \"MeshBasicMaterial\"");
     const std::string name = type.text();
     if (name == "MeshBasicMaterial")
         return std::make_shared<MeshBasicMaterial>();
     if (name == "MeshLambertMaterial") {
         auto lambert = std::make_shared<MeshLambertMaterial>();
-        lambert->emissive = node.color("emissive", "lambertEmissive", lambert->emissive);
-        lambert->emissiveIntensity = node.number("emissiveIntensity", 1);
+        loadLambert(node, *lambert);
         return lambert;
     }
+    if (name == "MeshPhongMaterial") {
+        auto phong = std::make_shared<MeshPhongMaterial>();
+        loadPhong(node, *phong);
+        return phong;
+    }
     type.unsupported(printable(name) +
-                     " is not supported; use MeshLambertMaterial (lit) or MeshBasicMaterial (unlit)");
+                     " is not supported; use MeshLambertMaterial (lit), MeshPhongMaterial (lit and shiny) or "
+                     "MeshBasicMaterial (unlit)");
 }
 
 }  // namespace

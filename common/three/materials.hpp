@@ -1,4 +1,4 @@
-// Materials: how a surface answers to light (slides 9-14, 36).
+// Materials: how a surface answers to light (slides 9-14, 36, 44-45).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -49,6 +49,23 @@ class MeshLambertMaterial : public Material {
     const char* type() const override { return "MeshLambertMaterial"; }
     bool isLit() const override { return true; }
     Color emitted() const override { return Color(emissive).multiplyScalar(emissiveIntensity); }
+};
+
+/// How a shiny material makes its highlight: by the reflected vector R of slide 45, or by the half vector, as three.js does.
+enum class SpecularModel { phong, blinn };
+
+/// The Lambertian sum plus a highlight (slides 44-45). Each light with n . w > 0 adds, with v the direction towards the eye,
+///   phong:  K_S (x) L f max(0, R . v)^s           R = 2 (n . w) n - w, the mirror of w about n
+///   blinn:  F (x) L f (n . w) (s + 2)/8 (n . h)^s   three.js r146's own: h halfway between w and v, F Schlick's Fresnel of K_S
+/// https://threejs.org/docs/#api/en/materials/MeshPhongMaterial
+class MeshPhongMaterial : public MeshLambertMaterial {
+  public:
+    using MeshLambertMaterial::MeshLambertMaterial;
+    Color specular{0x111111};  ///< K_S: the colour of the highlight, per channel >= 0
+    double shininess = 30;  ///< s: the larger, the smaller the highlight; >= 0
+    SpecularModel specularModel =
+        SpecularModel::phong;  ///< materials of three.js's JSON files are loaded with blinn
+    const char* type() const override { return "MeshPhongMaterial"; }
 };
 
 }  // namespace THREE

@@ -78,6 +78,13 @@ void writeMaterial(JsonWriter& json, const Material& material, const std::string
         if (lambert->emissiveIntensity != 1)
             json.field("emissiveIntensity", lambert->emissiveIntensity);
     }
+    if (const auto* phong = dynamic_cast<const MeshPhongMaterial*>(&material)) {
+        writeColor(json, "specular", "lambertSpecular", phong->specular);
+        json.field("shininess", phong->shininess);
+        // three.js keeps userData and has one model only: what a file does not say is blinn.
+        if (phong->specularModel == SpecularModel::phong)
+            json.key("userData").beginObject().field("specularModel", "phong").endObject();
+    }
     if (material.side != FrontSide)
         json.field("side", static_cast<double>(material.side));
     if (material.flatShading)

@@ -172,6 +172,10 @@ void checkMesh(const Mesh& mesh, const Check& check) {
     check.number("size in world space", radiusInWorld(mesh));
     check.color("material.color", mesh.material->color);
     check.color("material.emissive", mesh.material->emitted());
+    if (const auto* phong = dynamic_cast<const MeshPhongMaterial*>(mesh.material.get())) {
+        check.color("material.specular", phong->specular);
+        check.notNegative("material.shininess", phong->shininess);
+    }
 }
 
 void checkCamera(const PerspectiveCamera& camera, const Check& check) {

@@ -24,6 +24,10 @@ class Vector3 {
     Vector3& set(double x_, double y_, double z_) { return *this = Vector3(x_, y_, z_); }
     Vector3& copy(const Vector3& v) { return *this = v; }
     Vector3& setScalar(double s) { return set(s, s, s); }
+    /// On a circle about the y axis; theta in radians from the z axis towards the x axis.
+    Vector3& setFromCylindricalCoords(double radius, double theta, double height) {
+        return set(radius * std::sin(theta), height, radius * std::cos(theta));
+    }
     Vector3& add(const Vector3& v) { return set(x + v.x, y + v.y, z + v.z); }
     Vector3& sub(const Vector3& v) { return set(x - v.x, y - v.y, z - v.z); }
     Vector3& multiplyScalar(double s) { return set(x * s, y * s, z * s); }

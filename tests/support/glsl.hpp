@@ -60,6 +60,7 @@ inline Float abs(Float x) { return std::fabs(x.value()); }
 inline Float floor(Float x) { return std::floor(x.value()); }
 inline Float sqrt(Float x) { return std::sqrt(x.value()); }
 inline Float pow(Float x, Float y) { return std::pow(x.value(), y.value()); }
+inline Float exp(Float x) { return std::exp(x.value()); }
 inline Float exp2(Float x) { return std::exp2(x.value()); }
 inline Float log2(Float x) { return std::log2(x.value()); }
 inline uint floatBitsToUint(Float x) { return std::bit_cast<uint>(x.value()); }

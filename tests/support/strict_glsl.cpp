@@ -22,6 +22,7 @@ struct FragmentBuiltins {
     bool gl_FrontFacing = true;
     int NUM_DIRECTIONAL_LIGHTS = 0, NUM_POINT_LIGHTS = 0;
     int END_DECAY_0 = 0, END_DECAY_1 = 0, END_DECAY_2 = 0;
+    bool BLINN = false;
 };
 
 // What makes GLSL valid C++, for the includes below only.
@@ -53,6 +54,7 @@ struct FragmentBuiltins {
 #define TERM_DIRECTIONAL 1
 #define TERM_POINT 1
 #define TERM_AMBIENT 1
+#define TERM_SPECULAR 1
 
 #define VERTEX_SHADER
 struct MeshVertex {
@@ -126,6 +128,10 @@ StrictFragment run(const lighting::FramePlan& plan, const lighting::Draw& draw, 
     stage.ambientLight = saturated(plan.ambient, 0).xyz();
     stage.baseColor = in3(glm::vec3(draw.albedo));
     stage.emissive = in3(glm::vec3(draw.emitted));
+    stage.BLINN = draw.variant.blinn;
+    stage.specularColor = in3(glm::vec3(draw.specular));
+    stage.shininess = static_cast<float>(draw.shininess);
+    stage.eyePosition = in3(glm::vec3(plan.eye));
     stage.worldPosition = in3(position);
     stage.worldNormal = in3(normal);
     stage.main();

@@ -3,6 +3,8 @@
 //
 //     P  =  ( sum_i  max(0, n . w_i)  f(d_i)  D (x) L_i )  +  D (x) L_A        (slide 42)
 //
+// and for shiny materials a highlight K_S max(0, R . v)^s f(d_i) (x) L_i with each light (slides 44-45).
+//
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -33,6 +35,23 @@ struct Light {
     T distance;  ///< where three.js's window reaches 0, world units; 0: no window
 };
 
+/// The highlight of a material: none where K_S is black. THREE::MeshPhongMaterial says what the members mean.
+template <class T>
+struct Gloss {
+    Vec3<T> specular{T(0)};  ///< K_S
+    T shininess{0};  ///< s
+    THREE::SpecularModel model = THREE::SpecularModel::phong;
+};
+
+/// The point that is lit: everything about it that the equation asks for.
+template <class T>
+struct Lit {
+    Vec3<T> n;  ///< unit normal, or zero: none; world space
+    Vec3<T> Q;  ///< the point, world space relative to the eye
+    Vec3<T> D;  ///< base colour
+    Gloss<T> gloss;
+};
+
 /// What one light adds to one point, with every factor on the way.
 template <class T>
 struct Addend {
@@ -43,7 +62,8 @@ struct Addend {
     T clamped;  ///< max(0, n . w)
     T f;  ///< attenuation
     Vec3<T> L;  ///< the light's colour x intensity
-    Vec3<T> value;  ///< clamped f D (x) L
+    Vec3<T> specular;  ///< the highlight, K_S max(0, R . v)^s of slide 45 or three.js's
+    Vec3<T> value;  ///< f (clamped D + specular) (x) L
 };
 
 /// The lights of a scene and the symbols that are on.
@@ -55,14 +75,15 @@ class Equation {
     Vec3<T> ambientLight{T(0)};  ///< L_A, the sum of all ambient lights
     int ambientLights = 0;  ///< how many it is the sum of
 
-    /// n: unit normal (or zero: none), Q: the point, both in world space, Q relative to the eye; D: base colour.
-    /// `each` is called with the Addend of every light.
+    /// P of a point. `each` is called with the Addend of every light.
     template <class Each>
-    Vec3<T> lighting(const Vec3<T>& n, const Vec3<T>& Q, Vec3<T> D, const Each& each) const {
+    Vec3<T> lighting(Lit<T> at, const Each& each) const {
         // Without a listener, what is behind the surface and clamped to 0 is not worth its square root.
         const bool skipsBehind =
             std::is_same_v<Each, Silent> && terms.has(Term::cosine) && terms.has(Term::clamp);
-        D = albedo(D);
+        at.D = albedo(at.D);
+        if (!terms.has(Term::specular))
+            at.gloss.specular = Vec3<T>(T(0));
         Vec3<T> P{T(0)};
         const auto add = [&P, &each](const Addend<T>& addend) {
             P += addend.value;
@@ -70,15 +91,16 @@ class Equation {
         };
         if (terms.has(Term::directional))
             for (const Light<T>& light : directionalLights)
-                add(directionalLight(light, n, D));
+                add(product(light, light.place, T(0), T(1), at));
         if (terms.has(Term::point))
             for (const Light<T>& light : pointLights)
-                if (!skipsBehind || glm::dot(n, light.place - Q) > T(0))
-                    add(pointLight(light, n, Q, D));
-        return P + ambient(D);
+                if (!skipsBehind || glm::dot(at.n, light.place - at.Q) > T(0))
+                    add(pointLight(light, at));
+        return P + ambient(at.D);
     }
+    Vec3<T> lighting(const Lit<T>& at) const { return lighting(at, Silent{}); }
     Vec3<T> lighting(const Vec3<T>& n, const Vec3<T>& Q, const Vec3<T>& D) const {
-        return lighting(n, Q, D, Silent{});
+        return lighting(Lit<T>{n, Q, D, {}});
     }
 
     // The factors. Off, each is 1 (slides in terms.cpp).
@@ -99,17 +121,26 @@ class Equation {
     Vec3<T> ambient(const Vec3<T>& D) const {
         return terms.has(Term::ambient) ? D * ambientLight : Vec3<T>(T(0));
     }
-    Addend<T> directionalLight(const Light<T>& light, const Vec3<T>& n, const Vec3<T>& D) const {
-        return product(light, light.place, T(0), T(1), n, D);
+    /// The highlight: towards the eye, at the origin, from where light of direction w is mirrored. 0 where n . w <= 0.
+    static Vec3<T> highlight(const Lit<T>& at, const Vec3<T>& w) {
+        using std::pow;
+        const T c = glm::dot(at.n, w);
+        if (at.gloss.specular == Vec3<T>(T(0)) || !(c > T(0)))
+            return Vec3<T>(T(0));
+        const Vec3<T> v = direction(-at.Q);
+        if (at.gloss.model == THREE::SpecularModel::blinn)
+            return blinn(at, w, v, c);
+        const T mirrored = glm::dot(T(2) * c * at.n - w, v);  // R . v
+        return mirrored > T(0) ? at.gloss.specular * T(pow(mirrored, at.gloss.shininess)) : Vec3<T>(T(0));
     }
-    Addend<T> pointLight(const Light<T>& light, const Vec3<T>& n, const Vec3<T>& Q, const Vec3<T>& D) const {
+    Addend<T> pointLight(const Light<T>& light, const Lit<T>& at) const {
         using std::sqrt;
-        const Vec3<T> v = light.place - Q;
+        const Vec3<T> v = light.place - at.Q;
         const T d = sqrt(glm::dot(v, v));
         // A light in the very point has no direction and adds nothing.
         const T perDistance = d > T(0) ? T(1) / d : T(0);
         const T f = d > T(0) ? attenuation(d, perDistance, light) : T(0);
-        return product(light, v * perDistance, d, f, n, D);
+        return product(light, v * perDistance, d, f, at);
     }
 
   private:
@@ -117,12 +148,32 @@ class Equation {
         void operator()(const Addend<T>&) const {}
     };
 
-    Addend<T> product(const Light<T>& light, const Vec3<T>& w, T d, T f, const Vec3<T>& n,
-                      const Vec3<T>& D) const {
-        const T c = cosine(n, w);
+    Addend<T> product(const Light<T>& light, const Vec3<T>& w, T d, T f, const Lit<T>& at) const {
+        const T c = cosine(at.n, w);
         const T clamped = clamp(c);
         const Vec3<T> L = lightColor(light);
-        return {light.source, w, d, c, clamped, f, L, (clamped * f) * (D * L)};
+        const Vec3<T> shine = highlight(at, w);
+        return {light.source, w, d, c, clamped, f, L, shine, (clamped * f) * (at.D * L) + f * (shine * L)};
+    }
+
+    // v / |v|; zero for the zero vector
+    static Vec3<T> direction(const Vec3<T>& v) {
+        using std::sqrt;
+        const T squared = glm::dot(v, v);
+        return squared > T(0) ? v / T(sqrt(squared)) : v;
+    }
+
+    // three.js r146, BRDF_BlinnPhong: Schlick's Fresnel factor in the form with exp2, G = 1/4, D = (s/2 + 1) (n . h)^s
+    static Vec3<T> blinn(const Lit<T>& at, const Vec3<T>& w, const Vec3<T>& v, T c) {
+        using std::exp2;
+        using std::pow;
+        const Vec3<T> h = direction(w + v);
+        const T nh = glm::dot(at.n, h), vh = std::max(T(0), std::min(T(1), glm::dot(v, h)));
+        if (!(nh > T(0)))
+            return Vec3<T>(T(0));
+        const T grazing = exp2((T(-5.55473) * vh - T(6.98316)) * vh);
+        const T lobe = T(0.25) * (at.gloss.shininess / T(2) + T(1)) * T(pow(nh, at.gloss.shininess));
+        return (at.gloss.specular * (T(1) - grazing) + grazing) * (lobe * c);
     }
 
     // (1/d)^k, up to a factor that no picture can tell from infinity and that keeps every product finite

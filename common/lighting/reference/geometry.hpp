@@ -7,6 +7,7 @@
 #include "three/scene.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace lighting::reference {
 
@@ -102,7 +103,7 @@ template <class T>
 struct Vertex {
     Vec3<T> Q;  ///< world space relative to the eye
     Vec3<T> view;  ///< view space: the camera looks along -z
-    Vec3<T> n;  ///< unit normal, world space; zero: none
+    Vec3<T> n{T(0)};  ///< unit normal, world space; zero: none, or one for the whole triangle
 };
 
 /// The pixels that a triangle may cover; none where last < first.
@@ -119,7 +120,10 @@ struct Body {
     bool mirrored;  ///< its place turns triangles round
     bool turnsNormals;  ///< on the back of a BackSide or DoubleSide surface
     Vec3<T> D;  ///< base colour, or the pixel of an unlit material
+    Gloss<T> gloss;  ///< of the highlight
     Vec3<T> emitted;
+    std::optional<Place<T>>
+        wrongly;  ///< takes normals along by the model matrix alone (NormalTransform::model)
     std::vector<Vertex<T>> vertices;
     std::vector<std::uint32_t> index;  ///< three per triangle
     std::vector<Pixels> seen;  ///< of each triangle
@@ -128,10 +132,29 @@ struct Body {
     const Vertex<T>& corner(std::size_t triangle, int i) const {
         return vertices[index[triangle * 3 + static_cast<std::size_t>(i)]];
     }
+    /// A right normal, or what slide 33's wording makes of it: with M the 3x3 model matrix, M n_object = M M^T (M^-T n_object).
+    Vec3<T> asAsked(const Vec3<T>& n) const {
+        if (!wrongly)
+            return n;
+        const Vec3<T> object(glm::dot(wrongly->x, n), glm::dot(wrongly->y, n), glm::dot(wrongly->z, n));
+        return unit<T>(wrongly->direction(object));
+    }
 };
 
+/// The highlight of a material, `model` in place of the material's own if it is set.
 template <class T>
-Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera) {
+Gloss<T> glossOf(const THREE::Material& material, const std::optional<THREE::SpecularModel>& model) {
+    const auto* phong = dynamic_cast<const THREE::MeshPhongMaterial*>(&material);
+    if (phong == nullptr)
+        return {};
+    Gloss<T> gloss{toVec<T>(phong->specular), T(phong->shininess), model.value_or(phong->specularModel)};
+    if (gloss.model == THREE::SpecularModel::blinn)
+        gloss.shininess = std::max(gloss.shininess, T(1e-4));  // three.js: "to prevent pow( 0.0, 0.0 )"
+    return gloss;
+}
+
+template <class T>
+Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera, const Switches& switches) {
     const THREE::BufferGeometry& geometry = *mesh.geometry;
     const THREE::Material& material = *mesh.material;
     const THREE::BufferAttribute* const normals = geometry.getAttribute("normal");
@@ -140,11 +163,14 @@ Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera) {
     Body<T> body;
     body.mesh = &mesh;
     body.lit = material.isLit();
-    body.flat = material.flatShading || normals == nullptr;
+    body.flat = material.flatShading || switches.shading == Shading::flat || normals == nullptr;
     body.mirrored = place.determinant() < T(0);
     body.turnsNormals = material.side != THREE::FrontSide;
     body.D = toVec<T>(material.color);
+    body.gloss = glossOf<T>(material, switches.specular);
     body.emitted = toVec<T>(material.emitted());
+    if (switches.normals == NormalTransform::model)
+        body.wrongly = place;
     const Planes<T> planes(place), cameraPlanes(camera);
     body.vertices.resize(geometry.vertexCount());
     for (std::size_t i = 0; i < body.vertices.size(); ++i) {
@@ -152,7 +178,8 @@ Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera) {
         Vertex<T>& vertex = body.vertices[i];
         vertex.Q = place.direction(toVec<T>(position)) + place.origin;
         vertex.view = cameraPlanes.inverseDirection(vertex.Q);
-        vertex.n = body.flat ? Vec3<T>(T(0)) : planes.normal(unit<T>(toVec<T>(normals->getXYZ(i))));
+        if (!body.flat)
+            vertex.n = body.asAsked(planes.normal(unit<T>(toVec<T>(normals->getXYZ(i)))));
     }
     body.index.resize(geometry.triangleCount() * 3);
     for (std::size_t t = 0; t < geometry.triangleCount(); ++t) {

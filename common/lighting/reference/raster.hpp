@@ -50,14 +50,14 @@ struct Reference<T>::Edges {
 
 template <class T>
 Reference<T>::Reference(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
-                        const TermSet& terms, int width, int height)
+                        const Switches& switches, int width, int height)
     : width_(width), height_(height), camera_(placeOf<T>(camera)), near_(T(camera.near)), far_(T(camera.far)),
-      background_(scene.background ? toVec<T>(*scene.background) : Vec3<T>(T(0))),
-      equation_(makeEquation<T>(scene, terms, camera_.origin)) {
+      background_(scene.background ? toVec<T>(*scene.background) : Vec3<T>(T(0))), switches_(switches),
+      equation_(makeEquation<T>(scene, switches.terms, camera_.origin)) {
     scene.traverseVisible([this](const THREE::Object3D& object) {
         const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object);
         if (mesh != nullptr && mesh->material->visible && mesh->geometry->triangleCount() > 0)
-            bodies_.push_back(makeBody<T>(*mesh, camera_));
+            bodies_.push_back(makeBody<T>(*mesh, camera_, switches_));
     });
     look(camera);
 }
@@ -149,12 +149,8 @@ Surface<T> Reference<T>::surfaceAt(std::size_t body, std::size_t triangle, const
     const T perSum = T(1) / (inside.x + inside.y + inside.z);
     Surface<T> s{body, triangle, edges.front, inside * perSum, edges.volume * perSum, {}, {}};
     s.Q = v0.Q * s.weights.x + v1.Q * s.weights.y + v2.Q * s.weights.z;
-    if (b.flat) {
-        const Vec3<T> across = glm::cross(v1.Q - v0.Q, v2.Q - v0.Q);
-        s.n = unit<T>(b.mirrored ? -across : across);
-    } else {
-        s.n = unit<T>(v0.n * s.weights.x + v1.n * s.weights.y + v2.n * s.weights.z);
-    }
+    s.n = b.flat ? faceNormal(b, triangle)
+                 : unit<T>(v0.n * s.weights.x + v1.n * s.weights.y + v2.n * s.weights.z);
     if (b.turnsNormals && !edges.front)
         s.n = -s.n;
     return s;
@@ -178,9 +174,33 @@ std::optional<Surface<T>> Reference<T>::extended(std::size_t body, std::size_t t
 }
 
 template <class T>
+Vec3<T> Reference<T>::faceNormal(const Body<T>& body, std::size_t triangle) const {
+    const Vec3<T>& Q = body.corner(triangle, 0).Q;
+    const Vec3<T> across = glm::cross(body.corner(triangle, 1).Q - Q, body.corner(triangle, 2).Q - Q);
+    return body.asAsked(unit<T>(body.mirrored ? -across : across));
+}
+
+template <class T>
 Vec3<T> Reference<T>::shade(const Surface<T>& s) const {
     const Body<T>& b = bodies_[s.body];
-    return b.lit ? equation_.lighting(s.n, s.Q, b.D) + b.emitted : b.D;
+    if (!b.lit)
+        return b.D;
+    return (switches_.shading == Shading::vertex ? shadeVertices(s) : equation_.lighting(lit(s))) + b.emitted;
+}
+
+// The equation at the three corners, and between them what lies between: Gouraud's shading.
+template <class T>
+Vec3<T> Reference<T>::shadeVertices(const Surface<T>& s) const {
+    const Body<T>& b = bodies_[s.body];
+    Vec3<T> P{T(0)};
+    for (int i = 0; i < 3; ++i) {
+        const Vertex<T>& corner = b.corner(s.triangle, i);
+        Lit<T> at{b.flat ? faceNormal(b, s.triangle) : corner.n, corner.Q, b.D, b.gloss};
+        if (b.turnsNormals && !s.front)
+            at.n = -at.n;
+        P += equation_.lighting(at) * s.weights[i];
+    }
+    return P;
 }
 
 template <class T>
@@ -234,7 +254,9 @@ Probe<T> Reference<T>::probe(int x, int y) const {
     probe.emitted = b.emitted;
     probe.ambient = equation_.ambient(equation_.albedo(b.D));
     const auto keep = [&probe](const Addend<T>& addend) { probe.addends.push_back(addend); };
-    probe.P = equation_.lighting(s->n, s->Q, b.D, keep) + b.emitted;
+    probe.P = equation_.lighting(lit(*s), keep) + b.emitted;
+    if (switches_.shading == Shading::vertex)
+        probe.P = shade(*s);
     return probe;
 }
 

@@ -45,8 +45,9 @@ struct Probe {
 template <class T>
 class Reference {
   public:
-    /// `width` and `height` in pixels; the camera's own aspect is used.
-    Reference(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, const TermSet& terms,
+    /// `width` and `height` in pixels; the camera's own aspect is used. Of the switches, `space` makes no difference: points
+    /// and vectors are always in world space about the eye.
+    Reference(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, const Switches& switches,
               int width, int height);
 
     /// Receives pixels, top left first in each row; from several threads at once, each pixel once.
@@ -69,6 +70,11 @@ class Reference {
     std::optional<Surface<T>> extended(std::size_t body, std::size_t triangle, int x, int y) const;
     /// The equation at a surface, with the emitted light: P of one pixel.
     Vec3<T> shade(const Surface<T>& surface) const;
+    /// The point of a surface as the equation wants it.
+    Lit<T> lit(const Surface<T>& surface) const {
+        const Body<T>& body = bodies_[surface.body];
+        return {surface.n, surface.Q, body.D, body.gloss};
+    }
 
     /// 1 for a pixel within one pixel of an edge, else 0; top row first. An edge is where neighbouring pixels show different
     /// meshes, or a triangle that, extended to this pixel, would be more than 1 % nearer or farther or have a normal that
@@ -99,6 +105,8 @@ class Reference {
     Vec3<T> ray(int x, int y) const {
         return {columns_[static_cast<std::size_t>(x)], rows_[static_cast<std::size_t>(y)], T(-1)};
     }
+    Vec3<T> faceNormal(const Body<T>& body, std::size_t triangle) const;
+    Vec3<T> shadeVertices(const Surface<T>& surface) const;
     bool isEdge(const std::vector<Hit>& hits, int x, int y, double normalJump) const;
 
     int width_, height_;
@@ -107,6 +115,7 @@ class Reference {
     std::vector<T> columns_, rows_;  // x and y, at depth 1, of the rays through the pixels' centres
     T near_, far_;
     Vec3<T> background_;
+    Switches switches_;
     Equation<T> equation_;
     std::vector<Body<T>> bodies_;
 };
