@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <memory>
 #include <mutex>
 #include <rapidcheck/gtest.h>
@@ -59,7 +60,7 @@ struct RandomScene {
     THREE::TorusKnotGeometry knot{1, 0.4, 24, 8};
     THREE::BufferGeometry triangles;
     THREE::PerspectiveCamera camera;
-    std::vector<std::unique_ptr<THREE::MeshLambertMaterial>> materials;
+    std::vector<std::unique_ptr<THREE::MeshPhongMaterial>> materials;
     std::vector<std::unique_ptr<THREE::Mesh>> meshes;
     std::vector<std::unique_ptr<THREE::Light>> lights;
     DrawOptions options;
@@ -72,12 +73,31 @@ struct RandomScene {
     }
 
     THREE::Mesh& mesh(THREE::BufferGeometry& geometry, const THREE::Color& color) {
-        materials.push_back(std::make_unique<THREE::MeshLambertMaterial>(color));
+        materials.push_back(std::make_unique<THREE::MeshPhongMaterial>(color));
+        materials.back()->specular.set(0x000000);
         meshes.push_back(std::make_unique<THREE::Mesh>(geometry, *materials.back()));
         scene.add(*meshes.back());
         return *meshes.back();
     }
 };
+
+// A highlight for the last mesh, half of the time.
+void makeShiny(RandomScene& s, const rc::Gen<double>& color, const rc::Gen<double>& shininess) {
+    THREE::MeshPhongMaterial& material = *s.materials.back();
+    material.specular = *rc::gen::arbitrary<bool>() ? colorOf(color) : THREE::Color(0, 0, 0);
+    material.shininess = *shininess;
+    material.specularModel = *rc::gen::element(THREE::SpecularModel::phong, THREE::SpecularModel::blinn);
+}
+
+lighting::Switches anySwitches() {
+    lighting::Switches switches;
+    switches.shading =
+        *rc::gen::element(lighting::Shading::pixel, lighting::Shading::vertex, lighting::Shading::flat);
+    switches.space = *rc::gen::element(lighting::Space::world, lighting::Space::view);
+    switches.normals =
+        *rc::gen::element(lighting::NormalTransform::inverseTranspose, lighting::NormalTransform::model);
+    return switches;
+}
 
 // Over the whole range that is accepted.
 void makeWild(RandomScene& s) {
@@ -97,6 +117,7 @@ void makeWild(RandomScene& s) {
         s.materials.back()->side = *rc::gen::element(THREE::FrontSide, THREE::BackSide, THREE::DoubleSide);
         s.materials.back()->flatShading = *rc::gen::arbitrary<bool>();
         s.materials.back()->emissive = *rc::gen::arbitrary<bool>() ? colorOf(strong) : THREE::Color(0, 0, 0);
+        makeShiny(s, strong, strong);
     }
     for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
         auto& light = s.light<THREE::PointLight>(colorOf(strong), *strong);
@@ -120,6 +141,7 @@ void makeWild(RandomScene& s) {
         s.camera.near = std::max(s.camera.near, std::min(1e-29 * reach, 1e30));
         s.camera.far = std::max(s.camera.far, 2 * s.camera.near);
     }
+    static_cast<lighting::Switches&>(s.options.settings) = anySwitches();
     const Vector3 target = *rc::gen::arbitrary<bool>() ? s.meshes[0]->position : vectorOf(any);
     support::lookAt(s.camera, target, s.options);
     if (!(s.options.settings.focusDistance > 0))
@@ -184,7 +206,7 @@ RC_GTEST_PROP(Random, WhateverIsAcceptedIsDrawnWithFiniteNumbers, ()) {
     for (const float value : std::get<image::Floats>(frame.pixels))
         RC_ASSERT(std::isfinite(value));
     std::vector<double> truth;
-    Reference<double>(s.scene, s.camera, settings.terms, 13, 11).draw([&](int, int, const glm::dvec3& P) {
+    Reference<double>(s.scene, s.camera, settings, 13, 11).draw([&](int, int, const glm::dvec3& P) {
         static std::mutex mutex;
         const std::lock_guard<std::mutex> lock(mutex);
         truth.push_back(P.x + P.y + P.z);
@@ -204,6 +226,10 @@ RC_GTEST_PROP(Random, TheShadingKeepsItsBound, ()) {
 RC_GTEST_PROP(Random, NoCodeIsOffByMoreThanOne, ()) {
     RandomScene s;
     makeOrdinary(s, true);
+    makeShiny(s, ordinary(0, 1), ordinary(0, 100));
+    const lighting::TermSet terms = s.options.settings.terms;
+    static_cast<lighting::Switches&>(s.options.settings) = anySwitches();
+    s.options.settings.terms = terms;
     RC_PRE(accepted(s, 48, 36));
     const support::Judgement j = support::judge(s.scene, s.camera, s.options);
     RC_LOG() << support::describe(j);

@@ -42,10 +42,11 @@ Judgement judge(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Dra
     const Drawn drawnCodes = draw(scene, camera, codes);
     const auto& bytes = std::get<image::Bytes>(drawnCodes.frame.pixels);
 
-    const lighting::TermSet terms = options.settings.terms;
-    const Reference<double> reference(scene, camera, terms, options.width, options.height);
-    const Reference<double> strength(scene, camera, terms.without(lighting::Term::cosine), options.width,
-                                     options.height);
+    const lighting::Switches& switches = options.settings;
+    lighting::Switches cosinesOne = switches;
+    cosinesOne.terms = switches.terms.without(lighting::Term::cosine);
+    const Reference<double> reference(scene, camera, switches, options.width, options.height);
+    const Reference<double> strength(scene, camera, cosinesOne, options.width, options.height);
     const std::vector<double> truth = pixels(reference);
     const std::vector<double> strengths = pixels(strength);
     const std::vector<std::uint8_t> edges = reference.edges();

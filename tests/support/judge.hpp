@@ -12,7 +12,7 @@ namespace support {
 
 /// How far a frame is from the reference, away from edges.
 struct Judgement {
-    double worst = 0;  ///< largest |error| / max(S, 1/255); S is the pixel's sum with every cosine taken as 1
+    double worst = 0;  ///< largest |error| / max(S, 1/255); S is the pixel's sum with every n . w taken as 1
     double mean = 0;  ///< of the same
     int x = 0, y = 0;  ///< where `worst` is, from the top left
     int codes = 0;  ///< largest difference of the 8-bit frames

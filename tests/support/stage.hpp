@@ -14,7 +14,7 @@ struct Stage {
     THREE::Scene scene;
     THREE::Group all;
     THREE::TorusKnotGeometry knotGeometry{1, 0.35, 160, 32};
-    THREE::MeshLambertMaterial orange{THREE::Color(0xFF8855)};
+    THREE::MeshPhongMaterial orange{THREE::Color(0xFF8855)};  // dull unless a test lets it shine
     THREE::Mesh knot{knotGeometry, orange};
     THREE::BoxGeometry boxGeometry{1, 2, 0.5};
     THREE::MeshLambertMaterial green{THREE::Color(0x66AA77)};
@@ -39,6 +39,7 @@ struct Stage {
         box.rotation.y = 0.6;
         floor.rotation.x = -std::acos(0.0);
         sun.position.set(1, 3, 2);
+        orange.specular.set(0x000000);
         options.width = options.height = 128;
     }
     THREE::PointLight& bulb(const THREE::Vector3& place, double intensity, double k, double distance = 0) {

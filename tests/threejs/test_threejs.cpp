@@ -14,7 +14,13 @@ namespace {
 
 const std::string folder = LAMBERT_SOURCE_DIR "/tests/threejs/";
 
-class ThreeJs : public testing::TestWithParam<std::tuple<const char*, const char*>> {
+// A scene, and how far from three.js's frame ours may be: 1e-4 is a fortieth of a code.
+struct Case {
+    std::string name;
+    double gate;
+};
+
+class ThreeJs : public testing::TestWithParam<std::tuple<Case, const char*>> {
   protected:
     // 1 away from edges, by the reference's own information
     static std::vector<std::uint8_t> mask(const std::string& scene) {
@@ -30,7 +36,8 @@ class ThreeJs : public testing::TestWithParam<std::tuple<const char*, const char
 };
 
 TEST_P(ThreeJs, TheSameFrame) {
-    const std::string name = std::get<0>(GetParam()), renderer = std::get<1>(GetParam());
+    const auto& [name, gate] = std::get<0>(GetParam());
+    const std::string renderer = std::get<1>(GetParam());
     const support::TemporaryDirectory directory;
     for (const char* file : {"f.exr", "f.png"}) {
         const support::Outcome drawn = support::run({"scene_viewer", folder + name + ".json", "--frame", file,
@@ -41,12 +48,11 @@ TEST_P(ThreeJs, TheSameFrame) {
     const image::Frame expected = image::readFrame(folder + name + ".exr");
     const std::vector<std::uint8_t> away = mask(folder + name + ".json");
     const auto compared = std::count(away.begin(), away.end(), 1);
-    EXPECT_GT(compared, 256 * 256 * 85 / 100) << "too much is masked";
+    EXPECT_GT(compared, 256 * 256 * 8 / 10) << "too much is masked";
 
     const image::Difference floats =
         image::compare(expected, image::readFrame(directory.file("f.exr")), 1 / 255.0, away);
-    // Measured: 7.4e-6 on llvmpipe (s03), 1.6e-5 with the reference (s05), less in all others.
-    EXPECT_LT(floats.worst, 3e-5) << "pixel " << floats.x << ',' << floats.y;
+    EXPECT_LT(floats.worst, gate) << "pixel " << floats.x << ',' << floats.y;
     EXPECT_EQ(floats.above, 0U);
 
     image::Frame codes = expected;
@@ -63,9 +69,15 @@ TEST_P(ThreeJs, TheSameFrame) {
 
 INSTANTIATE_TEST_SUITE_P(
     r146, ThreeJs,
-    testing::Combine(testing::Values("s01_dark", "s02_directional", "s03_point_decay0", "s04_point_decay2",
-                                     "s05_point_decay1", "s06_dir_point", "s07_ambient", "s08_lez04"),
+    // Lambert, measured: 7.4e-6 on llvmpipe (s03), 1.6e-5 with the reference (s05), less in all others. Phong: 4.8e-5 (s10,
+    // where the sum is 3), and 6.0e-4 for three.js's flat normals, which come from derivatives of float positions (s12).
+    testing::Combine(testing::Values(Case{"s01_dark", 3e-5}, Case{"s02_directional", 3e-5},
+                                     Case{"s03_point_decay0", 3e-5}, Case{"s04_point_decay2", 3e-5},
+                                     Case{"s05_point_decay1", 3e-5}, Case{"s06_dir_point", 3e-5},
+                                     Case{"s07_ambient", 3e-5}, Case{"s08_lez04", 3e-5},
+                                     Case{"s09_phong_directional", 1e-4}, Case{"s10_phong_dir_point", 2e-4},
+                                     Case{"s11_phong_decay2", 6e-5}, Case{"s12_phong_poses", 2.4e-3}),
                      testing::Values("gl", "reference")),
-    [](const auto& test) { return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param); });
+    [](const auto& test) { return std::get<0>(test.param).name + "_" + std::get<1>(test.param); });
 
 }  // namespace
