@@ -69,9 +69,19 @@ Obj read(const std::string& text, const std::string& file, std::vector<std::stri
 std::vector<std::shared_ptr<MeshLambertMaterial>> materialsOf(const Obj& obj) {
     std::vector<std::shared_ptr<MeshLambertMaterial>> all;
     for (const tinyobj::material_t& material : obj.materials) {
-        auto lambert = std::make_shared<MeshLambertMaterial>(
-            Color(material.diffuse[0], material.diffuse[1], material.diffuse[2]));
-        lambert->emissive = Color(material.emission[0], material.emission[1], material.emission[2]);
+        const auto color = [](const tinyobj::real_t* c) { return Color(c[0], c[1], c[2]); };
+        const bool shiny = material.illum != 1 && !(color(material.specular) == Color(0, 0, 0));
+        std::shared_ptr<MeshLambertMaterial> lambert;
+        if (shiny) {
+            auto phong = std::make_shared<MeshPhongMaterial>(color(material.diffuse));
+            phong->specular = color(material.specular);
+            phong->shininess = material.shininess;
+            phong->specularModel = SpecularModel::blinn;
+            lambert = std::move(phong);
+        } else {
+            lambert = std::make_shared<MeshLambertMaterial>(color(material.diffuse));
+        }
+        lambert->emissive = color(material.emission);
         lambert->name = material.name;
         all.push_back(std::move(lambert));
     }

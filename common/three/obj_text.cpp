@@ -210,22 +210,20 @@ ObjText checkMtl(const std::string& text, const std::string& file) {
     const Checker check(file);
     forEachLine(text, [&](const std::vector<std::string_view>& words, std::size_t number) {
         const std::string_view keyword = words[0];
-        if (isOneOf(keyword, {"Kd", "Ke"}))
+        if (isOneOf(keyword, {"Kd", "Ke", "Ks"}))
             check.numbers(words, 3, number);
-        if (isOneOf(keyword, {"d", "Tr"}))
+        if (isOneOf(keyword, {"d", "Tr", "Ns", "illum"}))
             check.numbers(words, 1, number);
         if (keyword.starts_with("map_"))
             ObjChecker::note(result.notes, file + ": textures (map_...) are left out");
-        if (keyword == "Ks")
-            ObjChecker::note(result.notes, file + ": Ks is left out: a Lambert surface has no highlights");
         if (isOneOf(keyword, {"d", "Tr"}))
             ObjChecker::note(result.notes, file + ": transparency (d, Tr) is left out");
-        if (!isOneOf(keyword, {"newmtl", "Kd", "Ke"}))
+        if (!isOneOf(keyword, {"newmtl", "Kd", "Ke", "Ks", "Ns", "illum"}))
             return;
         appendLine(result.text, words);
-        // A material without Kd is white, as in three.js; tinyobjloader would have it black.
+        // A material without Kd is white, one without Ns has three.js's exponent; tinyobjloader would have them black and 1.
         if (keyword == "newmtl")
-            result.text += "Kd 1 1 1\n";
+            result.text += "Kd 1 1 1\nNs 30\n";
     });
     return result;
 }

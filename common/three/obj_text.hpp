@@ -18,7 +18,7 @@ struct ObjText {
 /// with a vertex that does not exist. tinyobjloader itself would read most of these as 0 or pass them over in silence.
 ObjText checkObj(const std::string& text, const std::string& file);
 
-/// The lines of an .mtl, checked likewise: numbers of Kd, Ke and d. Notes what a Lambert surface leaves out.
+/// The lines of an .mtl, checked likewise: numbers of Kd, Ke, Ks, Ns, illum and d. Notes what is left out.
 ObjText checkMtl(const std::string& text, const std::string& file);
 
 }  // namespace THREE

@@ -29,7 +29,8 @@ class ObjectLoader {
     LoadedScene load(const std::string& file) const;
 };
 
-/// A Wavefront .obj as one mesh per shape: its normals or, where it has none, computed ones; Kd as a Lambert colour.
+/// A Wavefront .obj as one mesh per shape: its normals or, where it has none, computed ones; Kd as a Lambert
+/// colour, Ks and Ns as three.js's highlight (MeshPhongMaterial, blinn) unless illum is 1.
 LoadedScene loadObj(const std::string& file);
 /// The same from text. `file` is named in messages, and its .mtl files are looked for beside it.
 LoadedScene parseObj(const std::string& text, const std::string& file);

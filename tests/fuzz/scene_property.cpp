@@ -82,6 +82,8 @@ void checkPlan(const lighting::FramePlan& plan) {
         requireFinite(draw.clip, "a clip matrix");
         requireFinite(draw.albedo, "an albedo");
         requireFinite(draw.emitted, "an emitted colour");
+        requireFinite(draw.specular, "a highlight's colour");
+        require(std::isfinite(draw.shininess) && draw.shininess >= 0, "a shininess is no exponent");
         THREE::BufferGeometry faces;
         if (draw.mesh->material->flatShading)
             draw.mesh->geometry->toFaces(faces);
@@ -148,6 +150,9 @@ void checkScene(const std::function<LoadedScene()>& load, const std::string& pre
     lighting::Settings settings;
     checkPlan(lighting::planFrame(*loaded->scene, eye, settings));
     settings.skip = false;
+    checkPlan(lighting::planFrame(*loaded->scene, eye, settings));
+    settings.space = lighting::Space::view;
+    settings.normals = lighting::NormalTransform::model;
     checkPlan(lighting::planFrame(*loaded->scene, eye, settings));
     settings.focus = glm::dvec3(eye.matrixWorld.position());
     settings.focusDistance = eye.near;

@@ -103,8 +103,9 @@ TEST_F(ObjLoader, smoothsAsTheFileSays) {
 }
 
 TEST_F(ObjLoader, makesAMeshPerShapeWithItsMaterial) {
-    write("colori.mtl",
-          "newmtl arancio\nKd 1 0.5 0.25\nKs 1 1 1\nKe 0 0 0.5\nnewmtl vuoto\nmap_Kd a.png\nd 0.5\n");
+    write(
+        "colori.mtl",
+        "newmtl arancio\nKd 1 0.5 0.25\nillum 1\nKs 1 1 1\nKe 0 0 0.5\nnewmtl vuoto\nmap_Kd a.png\nd 0.5\n");
     const auto loaded =
         load("mtllib colori.mtl\n" + square +
              "o primo\nusemtl arancio\nf 1 2 3\nusemtl vuoto\nf 1 3 4\no secondo\nf 1 2 4\nl 1 2\n");
@@ -116,7 +117,24 @@ TEST_F(ObjLoader, makesAMeshPerShapeWithItsMaterial) {
     EXPECT_EQ(mesh(loaded, 0).material->color, THREE::Color(1, 0.5, 0.25));
     EXPECT_EQ(mesh(loaded, 0).material->emitted(), THREE::Color(0, 0, 0.5));
     EXPECT_EQ(mesh(loaded, 1).material->color, THREE::Color(1, 1, 1)) << "no Kd: white";
-    EXPECT_EQ(loaded.notes.size(), 4U) << "Ks, map_Kd, d and the line";
+    EXPECT_STREQ(mesh(loaded, 0).material->type(), "MeshLambertMaterial") << "illum 1: no highlight";
+    EXPECT_EQ(loaded.notes.size(), 3U) << "map_Kd, d and the line";
+}
+
+TEST_F(ObjLoader, readsHighlights) {
+    write("lucidi.mtl", "newmtl a\nKs 1 0.5 0.25\nNs 12\nillum 2\nnewmtl b\nKs 1 1 1\nnewmtl c\nNs 5\n");
+    const auto loaded =
+        load("mtllib lucidi.mtl\n" + square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\nusemtl c\nf 1 2 4\n");
+    const auto phong = [&](std::size_t i) {
+        return dynamic_cast<const THREE::MeshPhongMaterial*>(mesh(loaded, i).material.get());
+    };
+    ASSERT_NE(phong(0), nullptr);
+    EXPECT_EQ(phong(0)->specular, THREE::Color(1, 0.5, 0.25));
+    EXPECT_EQ(phong(0)->shininess, 12);
+    EXPECT_EQ(phong(0)->specularModel, THREE::SpecularModel::blinn);
+    ASSERT_NE(phong(1), nullptr);
+    EXPECT_EQ(phong(1)->shininess, 30) << "no Ns: three.js's default";
+    EXPECT_EQ(phong(2), nullptr) << "no Ks: nothing shines";
 }
 
 TEST_F(ObjLoader, notesAMissingMaterialFile) {
