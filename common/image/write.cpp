@@ -3,11 +3,11 @@
 #include "image/write.hpp"
 
 #include "image/encoders.hpp"
+#include "image/home.hpp"
 #include "image/temporary_file.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <dlfcn.h>
 #include <filesystem>
 #include <unistd.h>
 
@@ -67,15 +67,12 @@ void check(const Metadata& metadata) {
     }
 }
 
-// Never unloaded: OpenImageIO starts threads and static objects that would outlive it.
-OiioEncode* loadModule() {
-    void* module = ::dlopen(oiioModule, RTLD_LAZY | RTLD_LOCAL);
-    void* entry = module != nullptr ? ::dlsym(module, oiioEntry) : nullptr;
+OiioEncode* loadEncoder() {
+    std::string reason;
+    void* const entry = loadModule(oiioModule, oiioEntry, reason);
     if (entry == nullptr) {
-        throw Error(
-            std::string("this format needs the module ") + oiioModule +
-            ", which does not load: " + ::dlerror() +
-            "; expected it in lib/ beside the program's bin/; build or install it, or write .png or .exr");
+        throw Error(std::string("this format needs the module ") + oiioModule + ", which does not load: " +
+                    reason + "; build or install it there, or write .png or .exr");
     }
     return reinterpret_cast<OiioEncode*>(entry);
 }
@@ -84,7 +81,7 @@ void encodeThroughModule(std::FILE* file, const std::string& extension, const Fr
                          const Metadata& metadata) {
     std::vector<unsigned char> encoded;
     std::string reason;
-    if (!loadModule()(extension.c_str(), &frame, &metadata, &encoded, &reason)) {
+    if (!loadEncoder()(extension.c_str(), &frame, &metadata, &encoded, &reason)) {
         throw Error(reason);
     }
     if (std::fwrite(encoded.data(), 1, encoded.size(), file) != encoded.size()) {

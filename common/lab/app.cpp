@@ -21,7 +21,7 @@ namespace lab {
 
 namespace {
 
-enum Status { done = 0, noRenderer = 3, unusableScene = 4, cannotWrite = 5 };
+enum Status { done = 0, wrongUsage = 2, noRenderer = 3, unusableScene = 4, cannotWrite = 5 };
 
 // Runs `work`; whatever goes wrong becomes one message and the status that the command line promises.
 template <class Work>
@@ -57,7 +57,7 @@ void reachEverything(THREE::PerspectiveCamera& camera, const THREE::Sphere& boun
     camera.near = std::min(camera.near, camera.far * 1e-5);
 }
 
-void show(View& view, Options& options) {
+void present(View& view, Options& options) {
     if (options.wantsWindow()) {
         std::string reason;
         const std::unique_ptr<Window> window =
@@ -80,9 +80,13 @@ App::App(int argc, char** argv, const std::string& lesson)
 int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {
     // What is wrong with a scene file is said with its name.
     const std::string who = options_.lesson + (options_.sceneFile.empty() ? "" : ": " + options_.sceneFile);
+    if (const std::string wrong = controls_.set(options_.set); !wrong.empty()) {
+        std::cerr << options_.lesson << ": " << wrong << '\n';
+        return wrongUsage;
+    }
     const int status = guarded(who, [&] {
-        View view(scene, camera, animation, options_);
-        show(view, options_);
+        View view(scene, camera, animation, options_, controls_);
+        present(view, options_);
     });
     // All is written; the driver's own clean-up would only cost time, a tenth of a whole frame.
     std::cout.flush();

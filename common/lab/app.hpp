@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/controls.hpp"
 #include "lab/options.hpp"
 #include "three/scene.hpp"
 
@@ -19,6 +20,15 @@ class App {
     /// Reads the command line. Wrong usage, --help, --version and --list-terms end the program here.
     App(int argc, char** argv, const std::string& lesson);
 
+    /// A number that is moved by hand, in the window or by `--set name=value`; the animation reads it. It stays where it
+    /// is as long as the App lives. Throws std::invalid_argument unless the name is new and min <= start <= max.
+    const double& slider(const std::string& name, double start, double min, double max,
+                         lighting::Text label) {
+        return controls_.add(name, start, min, max, label);
+    }
+    /// For the animation: a number of this frame, for the panel and, with --frame, for stdout.
+    void show(lighting::Text label, double value) { controls_.readings.push_back({label, value}); }
+
     /// Shows the scene until the window is closed, or writes the frame that the command line asks for. Returns the
     /// program's exit status: 0 done, 2 wrong usage, 3 no way to render, 4 unusable scene, 5 cannot write; each but 0
     /// with a message on stderr. The camera's aspect follows the picture's size.
@@ -29,6 +39,7 @@ class App {
 
   private:
     Options options_;
+    Controls controls_;
 };
 
 }  // namespace lab

@@ -31,6 +31,12 @@ const Piece pieces[] = {
     {"D", Term::albedo, {}},
     {" ⊗ ", {}, {}},
     {"L", Term::lightColor, {}},
+    {" + ", {}, Term::specular},
+    {"f(d)", Term::attenuation, Term::specular},
+    {" ", {}, Term::specular},
+    {"K_S max(0, R·v)^s", Term::specular, {}},
+    {" ⊗ ", {}, Term::specular},
+    {"L", Term::lightColor, Term::specular},
     {" )", {}, {}},
     {" + ", {}, Term::ambient},
     {"D", Term::albedo, Term::ambient},
@@ -48,6 +54,8 @@ std::vector<Symbol> equation(TermSet on, const lighting::FramePlan& full) {
         return lighting::idleReason(term, full).en != nullptr ? SymbolState::idle : SymbolState::active;
     };
     for (const Piece& piece : pieces) {
+        if (!full.shiny && (piece.term == Term::specular || piece.with == Term::specular))
+            continue;
         Symbol symbol{piece.text, piece.term ? stateOf(*piece.term) : SymbolState::plain, piece.term};
         // What belongs to an addend goes, or dims, with it.
         if (piece.with && stateOf(*piece.with) != SymbolState::active)
@@ -57,7 +65,7 @@ std::vector<Symbol> equation(TermSet on, const lighting::FramePlan& full) {
     return symbols;
 }
 
-std::string equationText(TermSet on) {
+std::string equationText(TermSet on, bool shiny) {
     const bool sum = on.has(Term::directional) || on.has(Term::point);
     const auto has = [on](Term term) { return on.has(term); };
     std::string addend;
@@ -68,7 +76,11 @@ std::string equationText(TermSet on) {
     if (has(Term::attenuation))
         addend += "f(d) ";
     const char* const albedo = has(Term::albedo) ? "D" : "1";
-    addend += std::string(albedo) + " ⊗ " + (has(Term::lightColor) ? "L" : "I");
+    const std::string L = has(Term::lightColor) ? "L" : "I";
+    addend += std::string(albedo) + " ⊗ " + L;
+    if (shiny && has(Term::specular))
+        addend =
+            "(" + addend + " + " + (has(Term::attenuation) ? "f(d) " : "") + "K_S max(0, R·v)^s ⊗ " + L + ")";
     std::string text = "P = ";
     if (has(Term::directional) && has(Term::point))
         text += "Σ " + addend;

@@ -26,11 +26,11 @@ struct Symbol {
     std::optional<lighting::Term> term;
 };
 
-/// The symbols of  P = ( sum max(0, n . w) f(d) D (x) L ) + D (x) L_A  with their states. `full` is the plan of the
-/// scene with all terms on: it knows which ones can matter.
+/// The symbols of  P = ( sum max(0, n . w) f(d) D (x) L ) + D (x) L_A  with their states; where something shines, the highlight
+/// is among them. `full` is the plan of the scene with all terms on: it knows which ones can matter.
 std::vector<Symbol> equation(lighting::TermSet on, const lighting::FramePlan& full);
 
-/// The equation in one line without the symbols that are off: what is left on the blackboard.
-std::string equationText(lighting::TermSet on);
+/// The equation in one line without the symbols that are off: what is left on the blackboard. `shiny`: with the highlight.
+std::string equationText(lighting::TermSet on, bool shiny);
 
 }  // namespace lab

@@ -4,3 +4,5 @@
 
 #include "lab/app.hpp"
 #include "three/three.hpp"
+
+#include <deque>

@@ -3,7 +3,9 @@
 #include "lab/live.hpp"
 
 #include "lab/equation.hpp"
+#include "lab/light_cost.hpp"
 #include "lab/stills.hpp"
+#include "lab/switches.hpp"
 #include "render/gl_renderer.hpp"
 #include "render/reference_renderer.hpp"
 #include "render/shader_source.hpp"
@@ -12,6 +14,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 namespace lab {
 
@@ -24,17 +27,23 @@ using Clock = std::chrono::steady_clock;
 const Text keyHelp[] = {
     {"trascina: ruota   tasto destro: sposta   rotella: avvicina",
      "drag: orbit   right button: pan   wheel: zoom"},
+    {"K: esponente k   C: quanto costa una luce", "K: exponent k   C: what a light costs"},
     {"R: come all'inizio   F2: scrive un'immagine", "R: reset   F2: writes a picture"},
     {"H: nasconde queste righe   Esc: esce", "H: hides these lines   Esc: leaves"},
 };
+const Text sliderHelp = {"Tab: sceglie un cursore   ← →: lo muove (con Maiusc: di più)",
+                         "Tab: chooses a slider   ← →: moves it (with Shift: farther)"};
+const Text keysHint = {"Tab ← →: cursori   H: tutti i tasti", "Tab ← →: sliders   H: all keys"};
 const Text animationHelp = {"spazio: avvia o ferma il movimento", "space: starts or stops the movement"};
+
+constexpr int framesForCost = 7;
 
 class Live {
   public:
     Live(View& view, Window& window, const Options& options)
         : view_(view), window_(window), options_(options),
-          renderer_(render::findShaderDirectory(options.shaders)), terms_(options.terms),
-          time_(options.time) {}
+          renderer_(render::findShaderDirectory(options.shaders)), switches_(options.switches),
+          time_(options.time), legend_(view.controls().sliders().empty()) {}
 
     void run() {
         while (!leave_) {
@@ -65,17 +74,23 @@ class Live {
     const char* tell(const Text& text) const { return say(text, options_.language); }
 
     void handle(const Event& event) {
-        const bool panelChanges = event.kind == Event::Kind::key || event.kind == Event::Kind::redraw;
+        const bool panelChanges = event.kind == Event::Kind::key || event.kind == Event::Kind::bar ||
+                                  event.kind == Event::Kind::redraw;
         redraws_ = panelChanges ? 2 : std::max(redraws_, 1);  // a panel's new size settles in the second
         switch (event.kind) {
         case Event::Kind::key:
-            return key(event.key);
+            if (!sliderKey(event))
+                key(event.key);
+            return;
         case Event::Kind::drag:
             return view_.orbit().rotate(event.dx, event.dy);
         case Event::Kind::pan:
             return view_.orbit().pan(event.dx, event.dy);
         case Event::Kind::wheel:
             return view_.orbit().zoom(event.dy);
+        case Event::Kind::bar:
+            chosen_ = static_cast<std::size_t>(event.key);
+            return sliders().at(chosen_).moveTo(event.dx);
         case Event::Kind::close:
             leave_ = true;
             return;
@@ -84,16 +99,39 @@ class Live {
         }
     }
 
+    std::deque<Slider>& sliders() { return view_.controls().sliders(); }
+
+    // Whether the key was one for the sliders.
+    bool sliderKey(const Event& event) {
+        if (sliders().empty() || (event.key != keyTab && event.key != keyLeft && event.key != keyRight))
+            return false;
+        const std::size_t count = sliders().size();
+        if (event.key == keyTab)
+            chosen_ = (chosen_ + (event.modified ? count - 1 : 1)) % count;
+        else
+            sliders()[chosen_].move((event.key == keyLeft ? -1 : 1) * (event.modified ? 10 : 1));
+        return true;
+    }
+
     void key(int key) {
         if (key >= '1' && key < '1' + lighting::termCount) {
             const lighting::TermInfo& row = lighting::terms()[static_cast<std::size_t>(key - '1')];
-            terms_ = terms_.toggled(row.term);
-            message_ = std::string(row.symbol) + "  " + tell(row.meaning) +
-                       (terms_.has(row.term) ? tell({": acceso", ": on"}) : tell({": spento", ": off"}));
-            std::cout << equationText(terms_) << std::endl;
+            switches_.terms = switches_.terms.toggled(row.term);
+            message_ =
+                std::string(row.symbol) + "  " + tell(row.meaning) +
+                (switches_.terms.has(row.term) ? tell({": acceso", ": on"}) : tell({": spento", ": off"}));
+            std::cout << equationText(switches_.terms, view_.plan(switches_).shiny) << std::endl;
+        } else if (switchKey(key)) {
+            return;
+        } else if (key == 'K') {
+            nextDecay();
+        } else if (key == 'C') {
+            tellLightCost();
         } else if (key == 'R') {
             view_.orbit().reset();
-            terms_ = options_.terms;
+            view_.controls().reset();
+            switches_ = options_.switches;
+            view_.decay = options_.decay;
             time_ = options_.time;
             playing_ = false;
             message_.clear();
@@ -109,6 +147,43 @@ class Live {
         }
     }
 
+    // Whether the key was one of the table's.
+    bool switchKey(int key) {
+        for (const Switch& row : switchTable())
+            if (key == row.key) {
+                row.next(switches_);
+                message_ = std::string(tell(row.what)) + ": " + tell(row.now(switches_));
+                std::cout << message_ << std::endl;
+                return true;
+            }
+        return false;
+    }
+
+    // k of every point light: 0, 1/2, 1, 3/2, 2, and again each light's own.
+    void nextDecay() {
+        view_.decay = !view_.decay ? 0 : *view_.decay + 0.5;
+        if (*view_.decay > 2)
+            view_.decay.reset();
+        message_ =
+            std::string("f(d) = 1 / d^k,  k = ") +
+            (view_.decay ? valueText(*view_.decay) : tell({"quello di ogni luce", "each light's own"}));
+        std::cout << message_ << std::endl;
+    }
+
+    void tellLightCost() {
+        int width = 0, height = 0;
+        window_.framebufferSize(width, height);
+        if (width < 1 || height < 1)
+            return;
+        const LightCost cost =
+            measureLights(view_, renderer(), switches_, time_, {width, height, false}, framesForCost);
+        message_ = std::to_string(cost.lights) + tell({" luci: ", " lights: "}) +
+                   valueText(median(cost.with)) + tell({" ms; senza: ", " ms; without: "}) +
+                   valueText(median(cost.without)) + tell({" ms; ogni luce: ", " ms; each light: "}) +
+                   valueText(cost.each()) + " ms";
+        std::cout << message_ << std::endl;
+    }
+
     // <lesson>.png, or with the first number that is free: no picture is ever overwritten from the window.
     void writePictureBeside() {
         int width = 0, height = 0;
@@ -119,7 +194,7 @@ class Live {
             std::string path = options_.lesson + ".png";
             for (int number = 1; std::filesystem::exists(path); ++number)
                 path = options_.lesson + "-" + std::to_string(number) + ".png";
-            writePicture(view_, renderer(), path, time_, terms_, width, height, options_);
+            writePicture(view_, renderer(), path, time_, switches_, width, height, options_);
             message_ = tell({"scritta: ", "written: "}) + path;
             std::cout << message_ << std::endl;
         } catch (const std::exception& error) {  // the lecture goes on
@@ -136,29 +211,57 @@ class Live {
             return;
         view_.update(time_, width, height);
         if (options_.renderer == RendererKind::gl)
-            renderer_.drawToWindow(view_.plan(terms_), view_.settings(terms_), width, height);
+            renderer_.drawToWindow(view_.plan(switches_), view_.settings(switches_), width, height);
         else
-            renderer_.showInWindow(reference_.render(view_.scene(), view_.camera(), view_.settings(terms_),
+            renderer_.showInWindow(reference_.render(view_.scene(), view_.camera(), view_.settings(switches_),
                                                      {width, height, false}));
         window_.show(panel());
     }
 
     Panel panel() const {
-        const lighting::FramePlan full = view_.plan(lighting::TermSet::all());
+        lighting::Switches allTerms = switches_;
+        allTerms.terms = lighting::TermSet::all();
+        const lighting::FramePlan full = view_.plan(allTerms);
         Panel panel;
-        for (const Symbol& symbol : equation(terms_, full))
+        for (const Symbol& symbol : equation(switches_.terms, full))
             panel.equation.push_back({symbol.text, tone(symbol.state)});
         panel.message = message_;
+        addControls(panel);
         if (!legend_)
             return panel;
         for (const lighting::TermInfo& row : lighting::terms())
             panel.rows.push_back(termRow(row, full));
         panel.rows.emplace_back();
+        for (const Switch& row : switchTable()) {
+            const bool moved = row.get(switches_) != row.get(lighting::Switches());
+            panel.rows.push_back({{std::string(1, row.key) + "  ", Tone::title},
+                                  {std::string(tell(row.what)) + ": " + tell(row.now(switches_)),
+                                   moved ? Tone::active : Tone::plain}});
+        }
         for (const Text& help : keyHelp)
             panel.rows.push_back({{tell(help), Tone::plain}});
+        if (!std::as_const(view_).controls().sliders().empty())
+            panel.rows.push_back({{tell(sliderHelp), Tone::plain}});
         if (view_.animated())
             panel.rows.push_back({{tell(animationHelp), Tone::plain}});
         return panel;
+    }
+
+    void addControls(Panel& panel) const {
+        const Controls& controls = std::as_const(view_).controls();
+        for (const Slider& slider : controls.sliders()) {
+            const bool chosen = panel.bars.size() == chosen_;
+            panel.bars.push_back(
+                {slider.share(),
+                 chosen,
+                 {{slider.name + " = " + valueText(slider.value), chosen ? Tone::title : Tone::plain},
+                  {std::string("   ") + tell(slider.label), Tone::idle}}});
+        }
+        for (const Reading& reading : controls.readings)
+            panel.readings.push_back({{valueText(reading.value), Tone::active},
+                                      {std::string("   ") + tell(reading.label), Tone::plain}});
+        if (!legend_ && !controls.sliders().empty())
+            panel.readings.push_back({{tell(keysHint), Tone::idle}});
     }
 
     static Tone tone(SymbolState state) {
@@ -177,7 +280,7 @@ class Live {
 
     std::vector<Span> termRow(const lighting::TermInfo& row, const lighting::FramePlan& full) const {
         const Text idle = lighting::idleReason(row.term, full);
-        const bool on = terms_.has(row.term);
+        const bool on = switches_.terms.has(row.term);
         const Tone t = !on ? Tone::off : idle.en != nullptr ? Tone::idle : Tone::active;
         std::vector<Span> spans{{std::to_string(static_cast<int>(row.term) + 1) + "  ", Tone::title},
                                 {std::string(row.symbol) + "  " + tell(row.meaning), t}};
@@ -193,12 +296,13 @@ class Live {
     const Options& options_;
     render::GlRenderer renderer_;
     render::ReferenceRenderer reference_;
-    lighting::TermSet terms_;
+    lighting::Switches switches_;
     double time_;
+    std::size_t chosen_ = 0;  // the slider that the arrow keys move
     std::string message_;
     int redraws_ = 2;
     bool playing_ = false;
-    bool legend_ = true;
+    bool legend_;  // hidden at first where sliders matter more
     bool minimised_ = false;
     bool leave_ = false;
     Clock::time_point last_;

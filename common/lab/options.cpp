@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/options.hpp"
 
+#include "lab/switches.hpp"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -130,6 +132,12 @@ void addNumbers(CLI::App& app, Options& options) {
                 throw CLI::ValidationError("--jitter",
                                            "expected a whole number from 0 on, found '" + value + "'");
         });
+    app.add_option_function<std::vector<std::string>>(
+           "--set", [&options](const std::vector<std::string>& all) { options.set = all; },
+           text("NOME=VALORE: mette un cursore della lezione; un nome sbagliato li elenca",
+                "NAME=VALUE: puts a slider of the lesson; a wrong name lists them"))
+        ->expected(1)
+        ->take_all();
     add("--frames", "N: disegna N immagini e ne misura il tempo", "N: draws N frames and times them",
         [&options](const std::string& value) {
             options.frames = number<int>(value).value_or(0);
@@ -160,12 +168,23 @@ void addFiles(CLI::App& app, Options& options) {
         "DIR: uses the shader files of this folder");
 }
 
+void addSwitches(CLI::App& app, Options& options) {
+    for (const Switch& row : switchTable()) {
+        const auto read = [&options, &row](const std::string& value) {
+            if (!row.choose(value, options.switches))
+                throw CLI::ValidationError(row.option, "expected " + row.names() + ", found '" + value + "'");
+        };
+        app.add_option_function<std::string>(row.option, read,
+                                             row.names() + ": " + say(row.what, descriptions));
+    }
+}
+
 void addChoices(CLI::App& app, Options& options) {
     const Adder add{app};
     add("--terms", "all, none, nomi da tenere, o +nome,-nome per cambiare",
         "all, none, names to keep, or +name,-name to change", [&options](const std::string& value) {
             try {
-                options.terms = lighting::parseTerms(value, lighting::TermSet::all());
+                options.switches.terms = lighting::parseTerms(value, lighting::TermSet::all());
             } catch (const std::invalid_argument& error) {
                 throw CLI::ValidationError("--terms", error.what());
             }
@@ -213,6 +232,7 @@ std::variant<Options, Ending> parseOptions(std::span<const std::string> argument
     addFiles(app, options);
     addNumbers(app, options);
     addChoices(app, options);
+    addSwitches(app, options);
     bool list = false;
     bool noSkip = false;
     app.add_flag("--no-skip", noSkip, text("non tralascia nulla", "leaves nothing out"));

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace lab {
 
@@ -36,8 +37,9 @@ struct Options {
     std::string frame;  ///< --frame: where to write, or empty
     std::optional<int> width, height;  ///< --size, pixels, 1 to 8192
     double time = 0;  ///< --time, seconds
-    lighting::TermSet terms = lighting::TermSet::all();
+    lighting::Switches switches;  ///< --terms, --shading, --space, --normal-matrix, --specular
     std::optional<double> decay;
+    std::vector<std::string> set;  ///< --set: NAME=VALUE of sliders, which only the App knows
     std::optional<CameraOption> camera;
     std::optional<std::uint64_t> jitter;
     bool skip = true;  ///< --no-skip turns it off

@@ -3,6 +3,7 @@
 #include "lab/panel_imgui.hpp"
 
 #include <GLES3/gl3.h>
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <filesystem>
@@ -100,6 +101,35 @@ void PanelDrawer::shutDown() {
     ImGui::DestroyContext();
 }
 
+void PanelDrawer::drawBar(const Bar& bar) {
+    constexpr float width = 80, height = 11;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    const float top = from.y + (line - height) / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 edge = ImGui::GetColorU32(color(bar.chosen ? Tone::title : Tone::off));
+    const ImVec2 end{from.x + width, top + height};
+    list.AddRectFilled({from.x, top}, {from.x + width * static_cast<float>(bar.share), end.y}, edge);
+    list.AddRect({from.x, top}, end, edge);
+    bars_.push_back({from.x, from.y, end.x, from.y + line});
+    ImGui::Dummy({width + 8, line});
+    ImGui::SameLine(0, 0);
+    drawLine(bar.text);
+}
+
+int PanelDrawer::barAt(double x, double y) const {
+    const auto holds = [x, y](const Place& p) {
+        return x >= p.left - 4 && x <= p.right + 4 && y >= p.top && y <= p.bottom;
+    };
+    const auto found = std::find_if(bars_.begin(), bars_.end(), holds);
+    return found == bars_.end() ? noBar : static_cast<int>(found - bars_.begin());
+}
+
+double PanelDrawer::shareAt(int bar, double x) const {
+    const Place& p = bars_.at(static_cast<std::size_t>(bar));
+    return std::clamp((x - p.left) / (p.right - p.left), 0.0, 1.0);
+}
+
 void PanelDrawer::draw(const Panel& panel) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -116,6 +146,14 @@ void PanelDrawer::draw(const Panel& panel) {
         box("legend", {10, bottom}, {0, 1}, [&panel] {
             for (const std::vector<Span>& row : panel.rows)
                 drawLine(row);
+        });
+    bars_.clear();
+    if (!panel.bars.empty() || !panel.readings.empty())
+        box("controls", {ImGui::GetIO().DisplaySize.x - 10, bottom}, {1, 1}, [this, &panel] {
+            for (const Bar& bar : panel.bars)
+                drawBar(bar);
+            for (const std::vector<Span>& reading : panel.readings)
+                drawLine(reading);
         });
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/stats.hpp"
 
+#include "lab/light_cost.hpp"
+
 #include <algorithm>
 #include <ctime>
 #include <fstream>
@@ -17,6 +19,10 @@ using Json = nlohmann::ordered_json;
 std::string variantText(const lighting::Variant& v) {
     std::ostringstream out;
     out << (v.lit ? "lit" : "unlit");
+    if (v.perVertex)
+        out << " per-vertex";
+    if (v.blinn)
+        out << " blinn";
     if (v.doubleSided)
         out << " double-sided";
     if (v.directional > 0)
@@ -71,7 +77,6 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
     std::vector<double> times = report.frameMilliseconds;
     std::sort(times.begin(), times.end());
     const std::size_t n = times.size();
-    const double median = n == 0 ? 0 : (times[(n - 1) / 2] + times[n / 2]) / 2;
     Json json;
     json["renderer"] = report.renderer;
     json["width"] = report.width;
@@ -85,10 +90,17 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
     json["uploads_bytes"] = frame.uploadedBytes;
     json["compile_ms"] = frame.compileMilliseconds;
     json["first_frame_ms"] = report.firstFrameMilliseconds;
-    json["frame_ms"] = {{"median", median},
+    json["frame_ms"] = {{"median", median(times)},
                         {"min", n == 0 ? 0 : times.front()},
                         {"max", n == 0 ? 0 : times.back()},
                         {"n", n}};
+    json["light_ms"] = report.millisecondsPerLight ? Json(*report.millisecondsPerLight) : Json(nullptr);
+    json["sliders"] = Json::object();
+    for (const Slider& slider : report.controls.sliders())
+        json["sliders"][slider.name] = slider.value;
+    json["readings"] = Json::array();  // in English whatever the language is, as everything here
+    for (const Reading& reading : report.controls.readings)
+        json["readings"].push_back({{"what", reading.label.en}, {"value", reading.value}});
     json["nonfinite"] = frame.nonfinite ? Json(*frame.nonfinite) : Json(nullptr);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/controls.hpp"
 #include "lighting/frame_plan.hpp"
 #include "render/renderer.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct StatsReport {
     int height = 0;
     double firstFrameMilliseconds = 0;  ///< from the process's start to the first picture
     std::vector<double> frameMilliseconds;  ///< of each timed frame
+    Controls controls;  ///< sliders and readings of the frame
+    std::optional<double>
+        millisecondsPerLight;  ///< what each directional or point light adds; none: not timed
 };
 
 /// One line without the line's end. `frame` is of the frame that was drawn.

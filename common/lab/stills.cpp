@@ -4,7 +4,9 @@
 
 #include "image/write.hpp"
 #include "lab/equation.hpp"
+#include "lab/light_cost.hpp"
 #include "lab/stats.hpp"
+#include "lab/switches.hpp"
 #include "render/context.hpp"
 #include "render/gl_renderer.hpp"
 #include "render/reference_renderer.hpp"
@@ -36,12 +38,23 @@ bool wantsFloats(const std::string& path) {
     return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
 }
 
-image::Metadata metadata(const Options& options, lighting::TermSet terms, const std::string& renderer) {
-    return {{"lesson", options.lesson},
-            {"terms", terms.text()},
-            {"equation", equationText(terms)},
-            {"renderer", renderer},
-            {"version", LAMBERT_VERSION}};
+image::Metadata metadata(const Options& options, const View& view, const lighting::Switches& switches,
+                         const std::string& renderer) {
+    image::Metadata all{{"lesson", options.lesson},
+                        {"terms", switches.terms.text()},
+                        {"equation", equationText(switches.terms, view.plan(switches).shiny)},
+                        {"renderer", renderer},
+                        {"version", LAMBERT_VERSION}};
+    if (const std::string text = switchesText(switches); !text.empty())
+        all.emplace_back("switches", text);
+    if (!view.controls().sliders().empty())
+        all.emplace_back("sliders", view.controls().text());
+    return all;
+}
+
+void tellReadings(const Controls& controls, Language language) {
+    for (const Reading& reading : controls.readings)
+        std::cout << say(reading.label, language) << ": " << valueText(reading.value) << '\n';
 }
 
 void dumpShaders(const lighting::FramePlan& plan, const std::string& directory) {
@@ -101,35 +114,21 @@ class Drawing {
     std::unique_ptr<render::Renderer> renderer_;
 };
 
-std::vector<double> timeFrames(View& view, render::Renderer& renderer, const render::FrameRequest& request,
-                               const Options& options) {
-    std::vector<double> times;
-    Progress progress(options.frames);
-    for (int i = 0; i < options.frames; ++i) {
-        const Clock::time_point start = Clock::now();
-        view.update(options.time, request.width, request.height);
-        renderer.renderOnly(view.scene(), view.camera(), view.settings(options.terms), request);
-        times.push_back(millisecondsSince(start));
-        progress.step(i + 1);
-    }
-    return times;
-}
-
-void tellTimes(std::vector<double> times, const render::FrameRequest& request) {
-    std::sort(times.begin(), times.end());
-    std::cout << times.size() << " frames of " << request.width << 'x' << request.height << ": median "
-              << times[times.size() / 2] << " ms, fastest " << times.front() << ", slowest " << times.back()
-              << '\n';
+void tellTimes(const LightCost& cost, const render::FrameRequest& request) {
+    const auto [fastest, slowest] = std::minmax_element(cost.with.begin(), cost.with.end());
+    std::cout << cost.with.size() << " frames of " << request.width << 'x' << request.height << ": median "
+              << median(cost.with) << " ms, fastest " << *fastest << ", slowest " << *slowest << "; "
+              << cost.lights << " lights, each " << cost.each() << " ms\n";
 }
 
 }  // namespace
 
 void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,
-                  lighting::TermSet terms, int width, int height, const Options& options) {
+                  const lighting::Switches& switches, int width, int height, const Options& options) {
     view.update(time, width, height);
-    const image::Frame frame = renderer.render(view.scene(), view.camera(), view.settings(terms),
+    const image::Frame frame = renderer.render(view.scene(), view.camera(), view.settings(switches),
                                                {width, height, wantsFloats(path)});
-    image::write(path, frame, metadata(options, terms, renderer.name()));
+    image::write(path, frame, metadata(options, view, switches, renderer.name()));
 }
 
 void runStills(View& view, const Options& options) {
@@ -139,27 +138,35 @@ void runStills(View& view, const Options& options) {
     if (!options.dumpScene.empty())
         image::writeText(options.dumpScene, THREE::toJSON(view.scene(), &view.camera()));
     if (options.dumpShader)
-        dumpShaders(view.plan(options.terms), render::findShaderDirectory(options.shaders));
+        dumpShaders(view.plan(options.switches), render::findShaderDirectory(options.shaders));
     if (options.frame.empty() && options.frames == 0 && !options.stats)
         return;
 
     Drawing drawing(options);
     render::Renderer& renderer = drawing.renderer();
-    lighting::Settings settings = view.settings(options.terms);
+    lighting::Settings settings = view.settings(options.switches);
     const Clock::time_point start = Clock::now();
     const image::Frame frame = renderer.render(view.scene(), view.camera(), settings, request);
     StatsReport report{renderer.name(),
                        request.width,
                        request.height,
                        millisecondsSinceProcessStart(),
-                       {millisecondsSince(start)}};
+                       {millisecondsSince(start)},
+                       view.controls(),
+                       {}};
     render::FrameStats stats = renderer.stats();
     if (!options.frame.empty())
-        image::write(options.frame, frame, metadata(options, options.terms, report.renderer));
+        image::write(options.frame, frame, metadata(options, view, options.switches, report.renderer));
+    if (!options.frame.empty() && !options.stats)
+        tellReadings(view.controls(), options.language);
     if (options.frames > 0) {
-        report.frameMilliseconds = timeFrames(view, renderer, request, options);
+        Progress progress(options.frames);
+        const LightCost cost = measureLights(view, renderer, options.switches, options.time, request,
+                                             options.frames, [&progress](int done) { progress.step(done); });
+        report.frameMilliseconds = cost.with;
+        report.millisecondsPerLight = cost.each();
         if (!options.stats)
-            tellTimes(report.frameMilliseconds, request);
+            tellTimes(cost, request);
     }
     if (options.stats) {
         if (!stats.nonfinite) {

@@ -12,6 +12,6 @@ void runStills(View& view, const Options& options);
 
 /// Draws what the view shows at `time` and writes it to `path`, with what is needed to know the picture again.
 void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,
-                  lighting::TermSet terms, int width, int height, const Options& options);
+                  const lighting::Switches& switches, int width, int height, const Options& options);
 
 }  // namespace lab

@@ -72,18 +72,25 @@ Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const
 }  // namespace
 
 View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
-           const Options& options)
-    : scene_(scene), camera_(camera), animation_(animation), options_(options),
-      orbit_(camera, orbitTarget(scene, camera, options)), jitter_(options.jitter.value_or(0)) {}
+           const Options& options, Controls& controls)
+    : decay(options.decay), scene_(scene), camera_(camera), animation_(animation), options_(options),
+      controls_(controls), orbit_(camera, orbitTarget(scene, camera, options)),
+      jitter_(options.jitter.value_or(0)) {}
 
 void View::update(double time, int width, int height) {
     jitter_.undo();
+    for (const auto& [light, own] : ownDecays_)
+        light->decay = own;
+    ownDecays_.clear();
+    controls_.readings.clear();
     if (animation_)
         animation_(time);
-    if (options_.decay)
+    if (decay)
         scene_.traverse([this](THREE::Object3D& object) {
-            if (auto* point = dynamic_cast<THREE::PointLight*>(&object))
-                point->decay = *options_.decay;
+            if (auto* point = dynamic_cast<THREE::PointLight*>(&object)) {
+                ownDecays_.emplace_back(point, point->decay);
+                point->decay = *decay;
+            }
         });
     camera_.aspect = static_cast<double>(width) / height;
     const auto check = [this] {
@@ -98,17 +105,17 @@ void View::update(double time, int width, int height) {
     }
 }
 
-lighting::Settings View::settings(lighting::TermSet terms) const {
+lighting::Settings View::settings(const lighting::Switches& switches) const {
     lighting::Settings settings;
-    settings.terms = terms;
+    static_cast<lighting::Switches&>(settings) = switches;
     settings.skip = options_.skip;
     settings.focus = orbit_.target();
     settings.focusDistance = orbit_.distance();
     return settings;
 }
 
-lighting::FramePlan View::plan(lighting::TermSet terms) const {
-    return lighting::planFrame(scene_, camera_, settings(terms));
+lighting::FramePlan View::plan(const lighting::Switches& switches) const {
+    return lighting::planFrame(scene_, camera_, settings(switches));
 }
 
 }  // namespace lab

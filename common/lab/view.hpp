@@ -3,10 +3,15 @@
 #pragma once
 
 #include "lab/app.hpp"
+#include "lab/controls.hpp"
 #include "lab/jitter.hpp"
 #include "lab/options.hpp"
 #include "lab/orbit.hpp"
 #include "lighting/frame_plan.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace lab {
 
@@ -14,19 +19,23 @@ namespace lab {
 class View {
   public:
     View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
-         const Options& options);
+         const Options& options, Controls& controls);
 
-    /// Moves everything to `time` (seconds), fits the camera to the picture's size and checks the scene.
+    /// Moves everything to `time` (seconds) and to the sliders, takes the readings, fits the camera to the picture's size and checks the scene.
     /// Throws THREE::SceneError.
     void update(double time, int width, int height);
-    /// The plan of what update() made, with these terms.
-    lighting::FramePlan plan(lighting::TermSet terms) const;
+    /// The plan of what update() made, with these switches.
+    lighting::FramePlan plan(const lighting::Switches& switches) const;
     /// What plan() plans with.
-    lighting::Settings settings(lighting::TermSet terms) const;
+    lighting::Settings settings(const lighting::Switches& switches) const;
 
     const THREE::Scene& scene() const { return scene_; }
+    Controls& controls() { return controls_; }
+    const Controls& controls() const { return controls_; }
     const THREE::PerspectiveCamera& camera() const { return camera_; }
     bool animated() const { return animation_ != nullptr; }
+    /// The exponent of every point light from the next update on, or none: each light's own.
+    std::optional<double> decay;
     /// For the mouse. Jitter is taken back first, so that a drag is not lost with it.
     Orbit& orbit() {
         jitter_.undo();
@@ -38,8 +47,10 @@ class View {
     THREE::PerspectiveCamera& camera_;
     const Animation& animation_;
     const Options& options_;
+    Controls& controls_;
     Orbit orbit_;
     Jitter jitter_;
+    std::vector<std::pair<THREE::PointLight*, double>> ownDecays_;  // of the lights that `decay` overrides
 };
 
 /// A sphere around everything that is drawn, in world space; radius 0 if there is nothing. Matrices must be up to date.

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "lab/window.hpp"
 
+#include "image/home.hpp"
+
 #include <cstdlib>
-#include <dlfcn.h>
 
 namespace lab {
 
@@ -16,17 +17,10 @@ std::unique_ptr<Window> openWindow(int width, int height, const std::string& tit
         reason = "DISPLAY is not set";
         return nullptr;
     }
-    void* module =
-        dlopen("liblambert_window.so", RTLD_NOW | RTLD_LOCAL);  // found through the program's RUNPATH
-    if (module == nullptr) {
-        reason = dlerror();
+    void* const entry = image::loadModule("liblambert_window.so", "lambertOpenWindow", reason);
+    if (entry == nullptr)
         return nullptr;
-    }
-    const auto open = reinterpret_cast<OpenWindowFunction>(dlsym(module, "lambertOpenWindow"));
-    if (open == nullptr) {
-        reason = dlerror();
-        return nullptr;
-    }
+    const auto open = reinterpret_cast<OpenWindowFunction>(entry);
     return std::unique_ptr<Window>(open(width, height, title.c_str(), reason));
 }
 

@@ -17,23 +17,38 @@ struct Span {
     Tone tone = Tone::plain;
 };
 
+/// A row with a number that is moved by hand: a bar that the mouse can drag, and text to its right.
+struct Bar {
+    double share = 0;  ///< how full, 0 to 1
+    bool chosen = false;  ///< the one that the arrow keys move
+    std::vector<Span> text;
+};
+
 /// What stands on the panel: plain text, so that another front end could draw it too.
 struct Panel {
     std::vector<Span> equation;  ///< at the top, left to right
     std::string message;  ///< below the equation, may be empty
     std::vector<std::vector<Span>> rows;  ///< in the lower left corner, a line each; may be empty
+    std::vector<Bar> bars;  ///< in the lower right corner, with the readings below; may be empty
+    std::vector<std::vector<Span>> readings;  ///< a line each; may be empty
 };
 
 /// What the user did.
 struct Event {
-    enum class Kind { key, drag, pan, wheel, redraw, close };
+    enum class Kind { key, drag, pan, wheel, bar, redraw, close };
     Kind kind = Kind::redraw;
-    int key = 0;  ///< key: its character in upper case ('1', 'R', ' '), or one of the codes below
-    double dx = 0;  ///< drag, pan: to the right, wheel: unused; fractions of the window's height
+    int key =
+        0;  ///< key: its character in upper case ('1', 'R', ' '), or one of the codes below; bar: its number
+    double dx =
+        0;  ///< drag, pan: to the right, fractions of the window's height; bar: its new share; wheel: unused
     double dy = 0;  ///< drag, pan: downwards; wheel: steps, forwards > 0
+    bool modified = false;  ///< key: with shift or control
 };
 inline constexpr int keyEscape = 0x100;
 inline constexpr int keyF2 = 0x101;
+inline constexpr int keyTab = 0x102;
+inline constexpr int keyLeft = 0x103;  ///< this and the next are repeated while held
+inline constexpr int keyRight = 0x104;
 
 /// A window with an OpenGL ES 3.0 context that is current.
 class Window {

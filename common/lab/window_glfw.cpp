@@ -25,8 +25,12 @@ class GlfwWindow final : public Window {
     explicit GlfwWindow(GLFWwindow* window) : window_(window), panel_(window) {
         glfwSetWindowUserPointer(window, this);
         glfwGetCursorPos(window, &x_, &y_);  // so that the first drag does not jump
-        glfwSetKeyCallback(window,
-                           [](GLFWwindow* w, int key, int, int action, int) { of(w).key(key, action); });
+        glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+            of(w).key(key, action, (modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL)) != 0);
+        });
+        glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+            of(w).button(button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS);
+        });
         glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).move(x, y); });
         glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
             of(w).add({Event::Kind::wheel, 0, 0, y});
@@ -65,9 +69,7 @@ class GlfwWindow final : public Window {
 
     void add(const Event& event) { events_.push_back(event); }
 
-    void key(int key, int action) {
-        if (action == GLFW_RELEASE)
-            return;
+    void key(int key, int action, bool modified) {
         int code = key < 0x80 ? std::toupper(key) : 0;
         if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
             code = '0' + (key - GLFW_KEY_KP_0);
@@ -75,8 +77,20 @@ class GlfwWindow final : public Window {
             code = keyEscape;
         else if (key == GLFW_KEY_F2)
             code = keyF2;
-        if (code != 0 && (action == GLFW_PRESS))
-            add({Event::Kind::key, code, 0, 0});
+        else if (key == GLFW_KEY_TAB)
+            code = keyTab;
+        else if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT)
+            code = key == GLFW_KEY_LEFT ? keyLeft : keyRight;
+        const bool repeats = code == keyLeft || code == keyRight;
+        if (code != 0 && (action == GLFW_PRESS || (action == GLFW_REPEAT && repeats)))
+            add({Event::Kind::key, code, 0, 0, modified});
+    }
+
+    // A press on a bar holds it until the button is let go, wherever the mouse goes.
+    void button(bool pressedLeft) {
+        held_ = pressedLeft ? panel_.barAt(x_, y_) : noBar;
+        if (held_ != noBar)
+            add({Event::Kind::bar, held_, panel_.shareAt(held_, x_), 0});
     }
 
     void move(double x, double y) {
@@ -85,7 +99,9 @@ class GlfwWindow final : public Window {
         const Event::Kind kind = pressed(GLFW_MOUSE_BUTTON_LEFT)    ? Event::Kind::drag
                                  : pressed(GLFW_MOUSE_BUTTON_RIGHT) ? Event::Kind::pan
                                                                     : Event::Kind::redraw;
-        if (kind != Event::Kind::redraw && height > 0)
+        if (held_ != noBar)
+            add({Event::Kind::bar, held_, panel_.shareAt(held_, x), 0});
+        else if (kind != Event::Kind::redraw && height > 0)
             add({kind, 0, (x - x_) / height, (y - y_) / height});
         x_ = x;
         y_ = y;
@@ -96,6 +112,7 @@ class GlfwWindow final : public Window {
     GLFWwindow* window_;
     PanelDrawer panel_;
     std::vector<Event> events_;
+    int held_ = noBar;
     double x_ = 0;
     double y_ = 0;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/shader_source.hpp"
 
+#include "image/home.hpp"
 #include "render/error.hpp"
 
 #include <algorithm>
@@ -18,13 +19,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<std::string> readLines(const std::string& path, const std::string& askedBy) {
+fs::path ownDirectory() { return image::home() / "share/lambert-lab/shaders"; }
+
+bool isFile(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+}
+
+// The name to show for `file`: as it is where `directory` has it, else the full path of the lab's own.
+std::string choose(const std::string& directory, const std::string& file) {
+    const fs::path own = ownDirectory() / file;
+    return isFile(fs::path(directory) / file) || !isFile(own) ? file : own.string();
+}
+
+std::vector<std::string> readLines(const fs::path& path, const std::string& askedBy) {
     std::ifstream in(path);
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);)
         lines.push_back(line);
     if (lines.empty())
-        throw ShaderError(askedBy + "cannot read shader file " + path +
+        throw ShaderError(askedBy + "cannot read shader file " + path.string() +
                           "; expected a text file there. Check --shaders, or restore the file.");
     return lines;
 }
@@ -59,12 +73,13 @@ class Reader {
     void include(const std::string& file, const std::string& askedBy) {
         if (!included_.insert(file).second)
             return;  // as with #pragma once; a file that includes itself ends here too
-        const std::vector<std::string> lines = readLines(directory_ + "/" + file, askedBy);
+        const std::string name = choose(directory_, file);
+        const std::vector<std::string> lines = readLines(fs::path(directory_) / name, askedBy);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             if (const std::string wanted = includedFile(lines[i]); !wanted.empty())
-                include(wanted, file + ":" + std::to_string(i + 1) + ": ");
+                include(wanted, name + ":" + std::to_string(i + 1) + ": ");
             else
-                add(lines[i], {file, i + 1});
+                add(lines[i], {name, i + 1});
         }
     }
 
@@ -81,25 +96,23 @@ class Reader {
 }  // namespace
 
 std::string findShaderDirectory(const std::string& asked) {
-    std::vector<std::string> candidates;
-    if (!asked.empty()) {
-        candidates = {asked};
-    } else {
-        std::error_code ignored;
-        const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-        candidates = {(program.parent_path().parent_path() / "share/lambert-lab/shaders").string(),
-                      LAMBERT_SHADER_DIR};
-    }
-    std::string tried;
-    for (const std::string& directory : candidates) {
-        std::error_code ignored;
-        if (fs::exists(fs::path(directory) / "mesh.vert", ignored))
-            return directory;
-        tried += "\n  " + directory;
-    }
-    throw ShaderError(
-        "no shader files; expected a folder with mesh.vert, mesh.frag and lighting.glsl. Tried:" + tried +
-        "\n  Name the folder with --shaders DIR.");
+    const fs::path own = ownDirectory();
+    if (!isFile(own / "mesh.vert"))
+        throw ShaderError(
+            "the lab's shaders are gone; expected mesh.vert and others in " + own.string() +
+            ". Install or build the lab there again; where it has moved, build this program again.");
+    if (asked.empty())
+        return own.string();
+    std::error_code ignored;
+    if (!fs::is_directory(asked, ignored))
+        throw ShaderError("--shaders: there is no folder " + asked +
+                          "; expected one with shader files such as mesh.frag or terms/cosine.glsl.");
+    for (const auto& entry : fs::recursive_directory_iterator(own))
+        if (isFile(asked / fs::relative(entry.path(), own)))
+            return asked;
+    throw ShaderError("--shaders: " + asked +
+                      " has none of the lab's shader files; expected one or more of those below " +
+                      own.string() + ", such as mesh.frag or terms/cosine.glsl, under the same name.");
 }
 
 ShaderSource readShader(const std::string& directory, const std::string& file, const std::string& preamble) {
@@ -123,6 +136,7 @@ std::string preamble(const lighting::Variant& v, bool fragment, bool lightsInTex
             define(row.define, static_cast<int>(v.terms >> static_cast<unsigned>(row.term) & 1U));
         define("WINDOW", v.window);
         define("SCALED", v.scaled);
+        out << "#define BLINN " << (v.blinn ? "true" : "false") << '\n';
         define("NUM_DIRECTIONAL_LIGHTS", v.directional);
         define("NUM_POINT_LIGHTS", v.point());
         define("END_DECAY_0", v.decay0);
@@ -160,7 +174,7 @@ std::optional<LogLine> readLogLine(std::string text) {
     return mark == ':' ? std::optional(LogLine{line, rest}) : std::nullopt;
 }
 
-std::string excerpt(const std::string& path, std::size_t line) {
+std::string excerpt(const fs::path& path, std::size_t line) {
     std::ifstream in(path);
     std::string text;
     std::string out;
@@ -184,7 +198,7 @@ std::string explain(const std::string& driverMessage, const std::string& directo
             const ShaderLine& place = source.lines[entry->line - 1];
             out += place.file + ":" + std::to_string(place.line) + ":" + entry->rest + "\n";
             if (lines.empty())
-                lines = excerpt(directory + "/" + place.file, place.line);
+                lines = excerpt(fs::path(directory) / place.file, place.line);
         } else if (!line.empty()) {
             out += line + "\n";
         }

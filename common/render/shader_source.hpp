@@ -11,7 +11,8 @@ namespace render {
 
 /// Where a line of a put-together shader stands; line 0: written by the framework.
 struct ShaderLine {
-    std::string file;  ///< path below the shader folder
+    std::string
+        file;  ///< path below the shader folder; full path of a file of the lab that lies under no --shaders DIR
     std::size_t line;  ///< from 1
 };
 
@@ -22,12 +23,13 @@ struct ShaderSource {
     std::vector<ShaderLine> lines;  ///< of each line of the text
 };
 
-/// The folder of the shader files: `asked` if not empty (--shaders), else share/ beside the program where the lab is
-/// installed, else the source tree's. Throws ShaderError if it holds no mesh.vert.
+/// The folder to look for shader files in first: `asked` (--shaders) if not empty, else the lab's own (image/home.hpp).
+/// Throws ShaderError if `asked` has none of the lab's shader files, or the lab's own are gone.
 std::string findShaderDirectory(const std::string& asked);
 
-/// Reads `file` of `directory`, puts each #include "x" (a path below the folder) in its place, once each, after
-/// `preamble`. Throws ShaderError for a missing file, with the file:line of the #include.
+/// Reads `file`, puts each #include "x" in its place, once each, after `preamble`. Both are paths below `directory`, or,
+/// where that has no such file, below the lab's own folder. Throws ShaderError for a missing file, with the file:line of
+/// the #include.
 ShaderSource readShader(const std::string& directory, const std::string& file, const std::string& preamble);
 
 /// The #version, precision and #define lines that make a variant; `fragment` tells the stages apart.

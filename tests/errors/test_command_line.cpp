@@ -33,6 +33,7 @@ TEST_P(CommandLine, SaysWhatIsWrong) {
 }
 
 const std::string lesson = "lesson_04_ambient";
+const std::string interlude = "interlude_cosine_law";
 
 INSTANTIATE_TEST_SUITE_P(
     Usage, CommandLine,
@@ -64,6 +65,16 @@ INSTANTIATE_TEST_SUITE_P(
              {lesson, "--frame", "a.png", "--renderer", "vulkan"},
              2,
              "--renderer: expected gl or reference, found 'vulkan'"},
+        Case{"set_nothing", {lesson, "--set"}, 2, "--set"},
+        Case{"set_no_sliders", {lesson, "--frame", "a.png", "--set", "alpha=1"}, 2, "no sliders"},
+        Case{"set_unknown",
+             {interlude, "--frame", "a.png", "--set", "beta=1"},
+             2,
+             "alpha (0 to 180), found 'beta=1'"},
+        Case{"set_text", {interlude, "--frame", "a.png", "--set", "alpha=flat"}, 2, "alpha (0 to 180)"},
+        Case{"set_outside", {interlude, "--frame", "a.png", "--set", "alpha=181"}, 2, "found 'alpha=181'"},
+        Case{"set_nan", {interlude, "--stats", "--set", "alpha=nan"}, 2, "alpha (0 to 180)"},
+        Case{"set_without_value", {interlude, "--set", "alpha"}, 2, "NAME=VALUE"},
         Case{"no_scene_file", {"scene_viewer"}, 2, "file"}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -251,7 +262,7 @@ TEST(Information, HelpVersionAndTerms) {
     const Outcome help = support::run({lesson, "--help"}, directory.path());
     EXPECT_EQ(help.status, 0);
     for (const char* option : {"--frame", "--size", "--time", "--terms", "--decay", "--camera", "--jitter",
-                               "--no-skip", "--shaders", "--frames", "--stats", "--dump-scene",
+                               "--no-skip", "--set", "--shaders", "--frames", "--stats", "--dump-scene",
                                "--dump-shader", "--list-terms", "--lang", "--renderer", "--version"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
     EXPECT_NE(support::run({lesson, "--version"}, directory.path()).out.find("lesson_04_ambient"),

@@ -1,8 +1,10 @@
 // The command line without a process: what it gives, and why a program would leave.
 // SPDX-License-Identifier: MIT
 #include "lab/options.hpp"
+#include "lab/switches.hpp"
 
 #include <gtest/gtest.h>
+#include <set>
 #include <vector>
 
 namespace {
@@ -37,6 +39,41 @@ TEST(ParseOptions, GivesWhatWasSaid) {
     EXPECT_EQ(all.sceneFile, "a.json");
     EXPECT_EQ(options({}).renderer, lab::RendererKind::gl);
     EXPECT_EQ(options({"--renderer=gl"}).renderer, lab::RendererKind::gl);
+}
+
+TEST(ParseOptions, ReadsTheSwitches) {
+    const lighting::Switches usual = options({}).switches;
+    EXPECT_EQ(usual, lighting::Switches());
+    const lighting::Switches all = options({"--terms", "-clamp", "--shading", "vertex", "--space=view",
+                                            "--normal-matrix", "model", "--specular", "blinn"})
+                                       .switches;
+    EXPECT_EQ(all.terms, lighting::TermSet::all().without(lighting::Term::clamp));
+    EXPECT_EQ(all.shading, lighting::Shading::vertex);
+    EXPECT_EQ(all.space, lighting::Space::view);
+    EXPECT_EQ(all.normals, lighting::NormalTransform::model);
+    EXPECT_EQ(all.specular, THREE::SpecularModel::blinn);
+    EXPECT_EQ(lab::switchesText(all), "--shading vertex --space view --normal-matrix model --specular blinn");
+    EXPECT_EQ(lab::switchesText(usual), "");
+    EXPECT_EQ(ending({"--shading", "face"}).err,
+              "lesson: --shading: expected pixel|vertex|flat, found 'face'\n"
+              "See lesson --help for what is understood.\n");
+}
+
+// What a key does: on to the next, and round again.
+TEST(Switches, GoRound) {
+    for (const lab::Switch& row : lab::switchTable()) {
+        lighting::Switches switches;
+        std::vector<std::string> seen;
+        for (std::size_t i = 0; i < row.choices.size() + 1; ++i) {
+            seen.emplace_back(row.now(switches).en);
+            row.next(switches);
+            if (switches == lighting::Switches())
+                break;
+        }
+        EXPECT_EQ(switches, lighting::Switches()) << row.option;
+        EXPECT_GE(seen.size(), row.choices.size()) << row.option;
+        EXPECT_EQ(std::set<std::string>(seen.begin(), seen.end()).size(), seen.size()) << row.option;
+    }
 }
 
 TEST(ParseOptions, EndsWithWhatWasAsked) {

@@ -17,26 +17,6 @@ namespace {
 constexpr std::size_t kLessonLimit = std::size_t{1} << 20U;  // bytes; a lesson has some five thousand
 constexpr std::size_t kSlidesLimit = std::size_t{1} << 24U;
 
-/// A whole regular file: a pipe or a device could go on for ever.
-std::string readText(const fs::path& file, std::size_t limit) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-        throw InputError(file.string() + ": expected a file, found " +
-                         (fs::exists(file, error) ? "something else" : "nothing") + "; check the path");
-    }
-    const auto size = fs::file_size(file, error);
-    if (error || size > limit) {
-        throw InputError(file.string() + ": expected at most " + std::to_string(limit) + " bytes, found " +
-                         (error ? error.message() : std::to_string(size)) + "; is this the right file?");
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream.is_open() || stream.bad()) {
-        throw InputError(file.string() + ": cannot be read; check its permissions");
-    }
-    return text;
-}
-
 /// A JSON value with its file and its path in it, so that every complaint can name both.
 struct Field {
     const fs::path& file;
@@ -131,6 +111,26 @@ void readSlide(const Field& slide, Slides& slides) {
 }
 
 }  // namespace
+
+// A regular file only: a pipe or a device could go on for ever.
+std::string readText(const fs::path& file, std::size_t limit) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        throw InputError(file.string() + ": expected a file, found " +
+                         (fs::exists(file, error) ? "something else" : "nothing") + "; check the path");
+    }
+    const auto size = fs::file_size(file, error);
+    if (error || size > limit) {
+        throw InputError(file.string() + ": expected at most " + std::to_string(limit) + " bytes, found " +
+                         (error ? error.message() : std::to_string(size)) + "; is this the right file?");
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream.is_open() || stream.bad()) {
+        throw InputError(file.string() + ": cannot be read; check its permissions");
+    }
+    return text;
+}
 
 const CodeItem* Slides::find(std::string_view item) const {
     const auto found =

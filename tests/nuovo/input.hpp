@@ -46,6 +46,8 @@ struct Slides {
     const CodeItem* find(std::string_view item) const;
 };
 
+/// The text of a regular file of at most `limit` bytes. Throws InputError.
+std::string readText(const std::filesystem::path& file, std::size_t limit);
 /// Reads the .cpp files of `directory`, not below it. Throws InputError: no directory, no lesson, no access.
 LessonSet readLessons(const std::filesystem::path& directory);
 /// Reads slides.json. Throws InputError: unreadable, no JSON, a field missing or of the wrong type, a slide

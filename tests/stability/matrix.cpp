@@ -149,8 +149,11 @@ void runMatrix(const MatrixCase& matrix, Outcome& outcome) {
                 "a normal is not of length 1");
         strict = std::max(strict, degreesBetween(found, expectedNormal(s.model(), n)));
     }
-    for (const glm::dvec3& n : {shown, glm::dvec3(-0.9, 0.1, -0.4)}) {
+    for (const auto& [n, space] : {std::pair(shown, lighting::Space::world),
+                                   {glm::dvec3(-0.9, 0.1, -0.4), lighting::Space::world},
+                                   {shown, lighting::Space::view}}) {
         s.setNormal(n);
+        s.options.settings.space = space;
         const glm::vec3 found = support::draw(s.scene, s.camera, s.options).at(8, 8);
         gl = std::max(gl, degreesBetween(Vec(found), expectedNormal(s.model(), n)));
     }

@@ -71,6 +71,7 @@ Outcome run(const Row& row) {
         const Measured measured = measure(setup);
         for (const std::string& failure : measured.failures)
             outcome.failures.push_back(failure);
+        outcome.spaces = std::max(outcome.spaces, measured.spaces);
         if (setup.refused.empty())
             outcome.error = std::max(outcome.error, measured.error);
         if (!first)

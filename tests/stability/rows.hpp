@@ -39,6 +39,7 @@ struct Outcome {
         physical;  ///< three.js's formula with physicallyCorrectLights (and the only one since r165), but for its factor pi
     std::string expected, twin, gl, bound;
     double error = -1;  ///< the worst that was measured, in units of u S; negative: has no such unit
+    double spaces = 0;  ///< how much view space changes a frame, relative to its brightest pixel
     std::vector<std::string> failures;  ///< what misses its bound; a row passes if there are none
 };
 

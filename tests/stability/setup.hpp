@@ -43,6 +43,13 @@ struct Bound {
 };
 inline constexpr Bound exactly{Bound::exact, 0};
 
+/// A highlight.
+struct Gloss {
+    glm::dvec3 specular{1};  ///< K_S
+    double shininess = 30;  ///< s
+    THREE::SpecularModel model = THREE::SpecularModel::phong;
+};
+
 /// A plane with its middle pixel: by default white, 6 x 6, seen from 2 away, ambient light only.
 struct Setup {
     std::vector<Lamp> lamps{};
@@ -52,6 +59,7 @@ struct Setup {
         {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};  ///< object space, any length
     bool generatedNormals = false;  ///< computeVertexNormals() instead
     double size = 1;  ///< factor of the plane and of the camera's distance from it
+    glm::dvec3 eye{0, 0, 2};  ///< where the camera is, from the centre, if `size` is 1 and nothing turned
     glm::dvec3 centre{0};  ///< of the plane, world space
     THREE::Quaternion turn{};  ///< of the plane and the camera
     bool placeInVertices = false;  ///< centre and turn are in the vertices, not in the mesh's place
@@ -60,6 +68,8 @@ struct Setup {
     std::optional<glm::dvec3> focus{};
     int pixels = 65;  ///< each way; odd, so that the middle one sees the plane's centre
     Bound bound{};
+    std::optional<Gloss> gloss{};  ///< none: the plane is matt
+    bool perVertex = false;  ///< Shading::vertex
     std::optional<double> expected{};  ///< of `channel`; none: only what the reference says
     int channel = 0;  ///< the one that is shown; the others are judged all the same
     /// Not empty: the scene is refused, and the message holds these words.
@@ -73,7 +83,7 @@ class Stage {
 
     THREE::Scene scene;
     THREE::BufferGeometry geometry;
-    THREE::MeshLambertMaterial material;
+    THREE::MeshPhongMaterial material;  ///< matt unless the setup has a gloss
     THREE::Mesh mesh{geometry, material};
     THREE::PerspectiveCamera camera{53.13010235415598};
     support::DrawOptions options;
@@ -86,19 +96,20 @@ class Stage {
 
   private:
     void addPlane(const Setup& setup, double size);
+    void look(const Setup& setup, double size);
     void addLamp(const Lamp& lamp, const glm::dvec3& centre, std::size_t number);
 
     THREE::AmbientLight ambient_;
     std::vector<std::unique_ptr<THREE::Light>> lights_;
 };
 
-/// What the reference's equation says at the middle of the plane, in long double.
+/// What the reference's equation says at the middle of the plane, in long double. S: with every cosine and power taken as 1.
 struct Truth {
     glm::vec<3, long double> P, S;
 };
 Truth truth(Stage& stage);
 
-/// The middle fragment of mesh.vert and mesh.frag on the CPU in strict IEEE.
+/// The middle fragment of mesh.vert and mesh.frag, or gouraud.vert and gouraud.frag, on the CPU in strict IEEE.
 struct Twin {
     glm::vec3 P;
     bool nonfinite;
@@ -110,11 +121,13 @@ struct Measured {
     double expected = 0, twin = 0, gl = 0;
     double error =
         -1;  ///< the worst of all channels and runs, in units of u S; negative: the bound is in codes
+    double spaces = 0;  ///< the most that a pixel differs in view space, relative to the frame's brightest
     std::vector<std::string> failures;  ///< what misses the bound, with its numbers
 };
 /// Runs a setup on the CPU's twin and on the graphics driver, against the reference and the closed value. Where the
 /// plane is not of ordinary size, several times: with a focus as far as lesson programs would have it, with an ordinary
-/// one (so that the plan does not change the unit of length) and, the twin alone, with a plane of ordinary size.
+/// one (so that the plan does not change the unit of length) and, the twin alone, with a plane of ordinary size. Each
+/// time in view space as well (Space::view).
 Measured measure(const Setup& setup);
 
 }  // namespace stability

@@ -27,7 +27,8 @@ TEST_P(Stability, HoldsItsBound) {
     for (const std::string& failure : outcome.failures)
         ADD_FAILURE() << row.id << ", " << row.name << ": " << failure;
     if (outcome.error >= 0)
-        std::cout << row.id << ": at most " << outcome.error << " u S, bound " << outcome.bound << '\n';
+        std::cout << row.id << ": at most " << outcome.error << " u S, bound " << outcome.bound
+                  << "; view space: " << outcome.spaces << '\n';
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, Stability, testing::ValuesIn(idsToRun()),

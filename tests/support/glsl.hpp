@@ -74,6 +74,7 @@ struct vec3 {
     vec3(Float x_, Float y_, Float z_) : x(x_), y(y_), z(z_) {}
     vec3& operator*=(Float s) { return *this = vec3(x * s, y * s, z * s); }
     vec3& operator/=(Float s) { return *this = vec3(x / s, y / s, z / s); }
+    vec3 operator-() const { return {-x, -y, -z}; }
     friend vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }

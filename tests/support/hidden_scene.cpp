@@ -81,12 +81,21 @@ View addCamera(THREE::LoadedScene& hidden, Dice& dice) {
     return view;
 }
 
+// All meshes have the same finish, and each its own colours.
+std::shared_ptr<THREE::MeshLambertMaterial> makeMaterial(Dice& dice, Finish finish, double shininess) {
+    const THREE::Color D = dice.color(0.9), K_S = dice.color(0.8);
+    if (finish == Finish::matte)
+        return std::make_shared<THREE::MeshLambertMaterial>(D);
+    auto material = std::make_shared<THREE::MeshPhongMaterial>(D);
+    material->specular = K_S;
+    material->shininess = shininess;
+    return material;
+}
+
 // A mesh that is turned first and scaled unequally then, which needs two objects.
 THREE::Group& addMesh(THREE::Scene& scene, Dice& dice, const Vector3& place,
                       std::shared_ptr<THREE::BufferGeometry> geometry,
-                      const THREE::Color& emissive = 0x000000) {
-    auto material = std::make_shared<THREE::MeshLambertMaterial>(dice.color(0.9));
-    material->emissive = emissive;
+                      std::shared_ptr<THREE::MeshLambertMaterial> material) {
     auto mesh = std::make_unique<THREE::Mesh>(THREE::Handle<THREE::BufferGeometry>(geometry),
                                               THREE::Handle<THREE::Material>(material));
     const Vector3 turn = dice.eithers(0.4, 0.9), turnAgain = dice.eithers(0, 0.5);
@@ -118,6 +127,13 @@ void addLight(THREE::Scene& scene, std::unique_ptr<L> light, const THREE::Color&
     scene.add(std::move(light));
 }
 
+// From behind: it reaches little of what is seen, but a highlight on the unlit side shows at grazing angles.
+void addBackLight(THREE::Scene& scene, Dice& dice, const View& view) {
+    const THREE::Color color = dice.tint();
+    const double strength = dice.between(1.6, 2), x = dice.either(0.3, 0.6), y = dice.either(0.3, 0.6);
+    addLight(scene, std::make_unique<THREE::DirectionalLight>(), color, strength, view.along(x, y, -2.5));
+}
+
 void addLights(THREE::Scene& scene, Dice& dice, const View& view, THREE::Group& sphere) {
     const THREE::Color colors[] = {dice.tint(), dice.tint(), dice.tint(), dice.color(0.15)};
     const double strengths[] = {dice.between(0.6, 0.8), dice.between(1.3, 1.7), dice.between(1.2, 1.6)};
@@ -135,7 +151,7 @@ void addLights(THREE::Scene& scene, Dice& dice, const View& view, THREE::Group& 
 
 }  // namespace
 
-THREE::LoadedScene hiddenScene(std::uint64_t seed) {
+THREE::LoadedScene hiddenScene(std::uint64_t seed, Finish finish) {
     Dice dice(seed);
     THREE::LoadedScene hidden;
     hidden.scene = std::make_unique<THREE::Scene>();
@@ -145,12 +161,17 @@ THREE::LoadedScene hiddenScene(std::uint64_t seed) {
     const double x[] = {0.3, dice.between(-1.3, -1), dice.between(1, 1.3)};
     const double y[] = {dice.between(0.8, 1), dice.between(-1.3, -0.9), dice.between(-1.4, -1.1)};
     const Vector3 place = view.at(x[1], y[1], dice.between(-0.2, 0.4));
-    addMesh(scene, dice, view.at(x[0], y[0], 0),
-            std::make_shared<THREE::TorusKnotGeometry>(0.8, 0.3, 96, 16));
-    THREE::Group& sphere =
-        addMesh(scene, dice, place, std::make_shared<THREE::SphereGeometry>(sphereRadius, 7, 5));
+    const auto knotMaterial = makeMaterial(dice, finish, 9), sphereMaterial = makeMaterial(dice, finish, 5),
+               boxMaterial = makeMaterial(dice, finish, 7);
+    boxMaterial->emissive = 0x000A14;
+    addMesh(scene, dice, view.at(x[0], y[0], 0), std::make_shared<THREE::TorusKnotGeometry>(0.8, 0.3, 96, 16),
+            knotMaterial);
+    THREE::Group& sphere = addMesh(
+        scene, dice, place, std::make_shared<THREE::SphereGeometry>(sphereRadius, 7, 5), sphereMaterial);
     addMesh(scene, dice, view.at(x[2], y[2], 0), std::make_shared<THREE::BoxGeometry>(1.2, 1.2, 1.2),
-            0x000A14);
+            boxMaterial);
+    if (finish == Finish::shiny)
+        addBackLight(scene, dice, view);
     addLights(scene, dice, view, sphere);
     return hidden;
 }

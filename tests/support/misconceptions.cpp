@@ -60,6 +60,8 @@ WrongInput inputAt(WrongInput p, const Reference& reference, const Surface& s) {
     p.Q = s.Q + reference.eye();
     p.D = body.D;
     p.emitted = body.emitted;
+    p.specular = body.gloss.specular;
+    p.shininess = body.gloss.shininess;
     p.facing = body.turnsNormals && !s.front ? -1 : 1;
     p.weights = s.weights;
     p.model = matrixOf(*body.mesh);
@@ -79,9 +81,11 @@ void put(std::vector<float>& frame, std::size_t pixel, const dvec3& P) {
         frame[pixel * 3 + i] = static_cast<float>(P[static_cast<int>(i)]);
 }
 
-bool everyDecayIsTwo(const WrongInput& p) {
-    return std::all_of(p.lamps.begin(), p.lamps.end(),
-                       [](const Lamp& lamp) { return !lamp.point || lamp.decay == 2; });
+bool nothingShines(const WrongInput& p) { return !p.shines(); }
+
+bool matteAndEveryDecayIsTwo(const WrongInput& p) {
+    return nothingShines(p) && std::all_of(p.lamps.begin(), p.lamps.end(),
+                                           [](const Lamp& lamp) { return !lamp.point || lamp.decay == 2; });
 }
 
 bool meshAtTheOrigin(const WrongInput& p) { return p.centre() == dvec3(0); }
@@ -100,7 +104,8 @@ bool nothingScaled(const WrongInput& p) {
 const std::vector<Misconception>& misconceptions() {
     static const std::vector<Misconception> all = [] {
         std::vector<Misconception> rows = rows::lightRows();
-        for (const auto& more : {rows::normalRows(), rows::colorRows(), rows::rightRows()})
+        for (const auto& more :
+             {rows::normalRows(), rows::colorRows(), rows::highlightRows(), rows::rightRows()})
             rows.insert(rows.end(), more.begin(), more.end());
         return rows;
     }();
@@ -116,9 +121,9 @@ const Misconception& misconception(const std::string& id) {
 
 const std::vector<MisconceptionClass>& misconceptionClasses() {
     static const std::vector<MisconceptionClass> all{
-        {{"B3", "B5"}, "always", [](const WrongInput&) { return true; }},
+        {{"B3", "B5"}, "nothing shines", nothingShines},
         {{"D2", "D3"}, "always", [](const WrongInput&) { return true; }},
-        {{"B7", "D1"}, "every k is 2", everyDecayIsTwo},
+        {{"B7", "D1"}, "every k is 2 and nothing shines", matteAndEveryDecayIsTwo},
         {{"B1", "B1C"}, "the mesh is at the origin", meshAtTheOrigin},
         {{"C8", "C9"}, "nothing is scaled", nothingScaled},
     };
@@ -127,7 +132,9 @@ const std::vector<MisconceptionClass>& misconceptionClasses() {
 
 WrongFrames::WrongFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, int width,
                          int height) {
-    const Reference reference(scene, camera, lighting::TermSet::all(), width, height);
+    lighting::Switches switches;
+    switches.specular = THREE::SpecularModel::phong;
+    const Reference reference(scene, camera, switches, width, height);
     std::vector<std::optional<Surface>> seen(static_cast<std::size_t>(width) *
                                              static_cast<std::size_t>(height));
     reference.surfaces([&](int x, int y, const std::optional<Surface>& surface) {

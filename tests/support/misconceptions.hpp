@@ -34,6 +34,8 @@ struct WrongInput {
     glm::dvec3 Q;  ///< the point
     glm::dvec3 D;  ///< base colour
     glm::dvec3 emitted;  ///< the material's own light
+    glm::dvec3 specular;  ///< K_S: the colour of the highlight; black: none
+    double shininess;  ///< s: the highlight's exponent
     double facing;  ///< -1 where the back is seen of a material that turns its normals round, else 1
     std::array<glm::dvec3, 3> corners;  ///< of the triangle, object space
     std::array<glm::dvec3, 3>
@@ -47,6 +49,9 @@ struct WrongInput {
     glm::dvec3 ambient;  ///< L_A
 
     glm::dvec3 centre() const { return glm::dvec3(model[3]); }  ///< of the mesh: its own origin
+    /// Unit vector from the scene towards the camera, against its line of sight: the z axis of view space.
+    glm::dvec3 cameraAxis() const { return {view[0].z, view[1].z, view[2].z}; }
+    bool shines() const { return specular != glm::dvec3(0); }  ///< whether there is a highlight to get wrong
 };
 
 /// An equation with a name. Most are wrong; some are right in other words and must never be punished.
@@ -72,7 +77,7 @@ struct MisconceptionClass {
 const std::vector<MisconceptionClass>& misconceptionClasses();
 
 /// A scene as the right equation and every wrong one draw it. Only lit surfaces differ: a background or an unlit material
-/// has no equation that could be wrong.
+/// has no equation that could be wrong. Highlights are the slides', around R, whatever model a material asks for.
 class WrongFrames {
   public:
     /// Sizes in pixels; the camera's own aspect is used. The scene must be valid and have no mesh without volume

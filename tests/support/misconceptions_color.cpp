@@ -10,16 +10,16 @@ namespace {
 
 // E: the ambient term
 
-dvec3 ambientWithoutD(const WrongInput& p) { return diffuse(p) + p.ambient + p.emitted; }
+dvec3 ambientWithoutD(const WrongInput& p) { return reflected(p) + p.ambient + p.emitted; }
 
-dvec3 ambientWithDTwice(const WrongInput& p) { return diffuse(p) + p.D * p.D * p.ambient + p.emitted; }
+dvec3 ambientWithDTwice(const WrongInput& p) { return reflected(p) + p.D * p.D * p.ambient + p.emitted; }
 
 dvec3 ambientPerLamp(const WrongInput& p) {
     return sum(p, [&](const Lamp& lamp) { return addend(p, lamp) + p.D * p.ambient; }) + p.emitted;
 }
 
 dvec3 largerOfDiffuseAndAmbient(const WrongInput& p) {
-    return glm::max(diffuse(p), p.D * p.ambient) + p.emitted;
+    return glm::max(reflected(p), p.D * p.ambient) + p.emitted;
 }
 
 // F: colours
@@ -29,6 +29,7 @@ dvec3 swapped(const dvec3& c) { return {c.b, c.g, c.r}; }
 WrongInput swappedD(WrongInput p) {
     p.D = swapped(p.D);
     p.emitted = swapped(p.emitted);
+    p.specular = swapped(p.specular);
     return p;
 }
 
@@ -48,43 +49,47 @@ dvec3 decoded(const dvec3& c) { return {decoded(c.r), decoded(c.g), decoded(c.b)
 dvec3 colorsAdded(const WrongInput& p) {
     return sum(p,
                [&](const Lamp& lamp) { return cosine(p, lamp) * attenuation(p, lamp) * (p.D + lamp.L()); }) +
-           rest(p);
+           highlights(p) + rest(p);
 }
 
 dvec3 noD(const WrongInput& p) {
     WrongInput white = p;
     white.D = dvec3(1);
-    return diffuse(white) + rest(p);
+    return reflected(white) + rest(p);
 }
 
-dvec3 twiceD(const WrongInput& p) { return p.D * diffuse(p) + rest(p); }
+dvec3 twiceD(const WrongInput& p) { return p.D * reflected(matte(p)) + highlights(p) + rest(p); }
 
-dvec3 bgr(const WrongInput& p) { return lambert(swappedL(swappedD(p))); }
+dvec3 bgr(const WrongInput& p) { return equation(swappedL(swappedD(p))); }
 
-dvec3 bgrD(const WrongInput& p) { return lambert(swappedD(p)); }
+dvec3 bgrD(const WrongInput& p) { return equation(swappedD(p)); }
 
-dvec3 bgrL(const WrongInput& p) { return lambert(swappedL(p)); }
+dvec3 bgrL(const WrongInput& p) { return equation(swappedL(p)); }
 
 dvec3 colorsTo255(const WrongInput& p) {
     WrongInput q = p;
     q.D *= 255.0;
-    return lambert(q);
+    q.specular *= 255.0;
+    return equation(q);
 }
 
-dvec3 encodedResult(const WrongInput& p) { return encoded(lambert(p)); }
+dvec3 encodedResult(const WrongInput& p) { return encoded(equation(p)); }
 
 dvec3 decodedColors(const WrongInput& p) {
     WrongInput q = p;
     q.D = decoded(p.D);
     q.emitted = decoded(p.emitted);
+    q.specular = decoded(p.specular);
     q.ambient = decoded(p.ambient);
     for (Lamp& lamp : q.lamps)
         lamp.color = decoded(lamp.color);
-    return lambert(q);
+    return equation(q);
 }
 
 dvec3 dividedByPi(const WrongInput& p) {
-    return (diffuse(p) + p.D * p.ambient) / std::numbers::pi + p.emitted;
+    WrongInput q = p;
+    q.D /= std::numbers::pi;
+    return equation(q);
 }
 
 // G: the sum
@@ -93,11 +98,11 @@ dvec3 lampsMultiplied(const WrongInput& p) {
     dvec3 P = p.D;
     for (const Lamp& lamp : p.lamps)
         P *= cosine(p, lamp) * attenuation(p, lamp) * lamp.L();
-    return P + rest(p);
+    return P + highlights(p) + rest(p);
 }
 
 dvec3 averageOfTheLamps(const WrongInput& p) {
-    return p.lamps.empty() ? rest(p) : diffuse(p) / static_cast<double>(p.lamps.size()) + rest(p);
+    return p.lamps.empty() ? rest(p) : reflected(p) / static_cast<double>(p.lamps.size()) + rest(p);
 }
 
 dvec3 lastLampOnly(const WrongInput& p) {
@@ -105,7 +110,7 @@ dvec3 lastLampOnly(const WrongInput& p) {
 }
 
 dvec3 bytesWrap(const WrongInput& p) {
-    const dvec3 codes = 255.0 * lambert(p);
+    const dvec3 codes = 255.0 * equation(p);
     return (codes - 256.0 * glm::floor(codes / 256.0)) / 255.0;
 }
 

@@ -15,7 +15,7 @@ dvec3 noClamp(const WrongInput& p) {
 dvec3 clampOnTheSum(const WrongInput& p) {
     const dvec3 P =
         sum(p, [&](const Lamp& lamp) { return glm::dot(p.n, w(p, lamp)) * attenuation(p, lamp) * lamp.L(); });
-    return p.D * glm::max(P, 0.0) + rest(p);
+    return p.D * glm::max(P, 0.0) + highlights(p) + rest(p);
 }
 
 dvec3 absoluteCosine(const WrongInput& p) {
@@ -31,7 +31,12 @@ dvec3 positiveFloor(const WrongInput& p) {
 // The right equation, w of each lamp from direction(lamp), of whatever length.
 template <class Direction>
 dvec3 withDirection(const WrongInput& p, const Direction& direction) {
-    return withCosine(p, [&](const Lamp& lamp) { return std::max(0.0, glm::dot(p.n, direction(lamp))); });
+    return sum(p,
+               [&](const Lamp& lamp) {
+                   const dvec3 to = direction(lamp);
+                   return addend(p, lamp, std::max(0.0, glm::dot(p.n, to)), highlight(p, to));
+               }) +
+           rest(p);
 }
 
 dvec3 pointAsDirection(const WrongInput& p) {
@@ -66,9 +71,9 @@ dvec3 towardsPointNotNormalised(const WrongInput& p) {
     return withDirection(p, [&](const Lamp& lamp) { return lamp.point ? lamp.position - p.Q : w(p, lamp); });
 }
 
-dvec3 lightTurnsWithTheObject(const WrongInput& p) { return lambert(lampsMovedBy(p.model, p)); }
+dvec3 lightTurnsWithTheObject(const WrongInput& p) { return equation(lampsMovedBy(p.model, p)); }
 
-dvec3 lightTurnsWithTheCamera(const WrongInput& p) { return lambert(lampsMovedBy(glm::inverse(p.view), p)); }
+dvec3 lightTurnsWithTheCamera(const WrongInput& p) { return equation(lampsMovedBy(glm::inverse(p.view), p)); }
 
 // D: the attenuation
 
@@ -106,7 +111,7 @@ dvec3 ambientAttenuated(const WrongInput& p) {
     for (const Lamp& lamp : p.lamps)
         if (lamp.point)
             f = attenuation(p, lamp);
-    return diffuse(p) + f * p.D * p.ambient + p.emitted;
+    return reflected(p) + f * p.D * p.ambient + p.emitted;
 }
 
 }  // namespace

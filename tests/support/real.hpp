@@ -44,6 +44,7 @@ class Real {
     friend Real abs(Real x) { return make(mpfr_abs, x); }
     friend Real tan(Real x) { return make(mpfr_tan, x); }
     friend Real atan(Real x) { return make(mpfr_atan, x); }
+    friend Real exp2(Real x) { return make(mpfr_exp2, x); }
     friend Real pow(Real x, Real y) { return make(mpfr_pow, x, y); }
 
   private:

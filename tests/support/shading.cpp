@@ -44,24 +44,61 @@ render::GlRenderer& instead(const std::string& expression) {
 
 Vec rounded(const glm::dvec3& v) { return Vec(glm::vec3(v)); }
 
-// The lights of the plan as the GPU has them.
+// An expression of terms/specular.glsl; where a draw does not shine, those names are not there.
+std::string ofTheHighlight(const std::string& expression) {
+    return "\n#if TERM_SPECULAR\n" + expression + "\n#else\nvec3(0.0)\n#endif\n";
+}
+
+// The lights of the plan as the GPU has them, relative to the eye.
 Equation<Real> equationOf(const lighting::FramePlan& plan, const lighting::TermSet& terms) {
     Equation<Real> equation;
     equation.terms = terms;
     for (const lighting::DirectionalAddend& light : plan.directional)
-        equation.directionalLights.push_back(
-            {nullptr, rounded(light.w), rounded(light.color), static_cast<float>(light.intensity), 0, 0});
+        equation.directionalLights.push_back({nullptr, glm::normalize(rounded(light.w)), rounded(light.color),
+                                              static_cast<float>(light.intensity), 0, 0});
     for (const lighting::PointAddend& light : plan.point) {
         const Real scale = std::exp2(static_cast<Real>(light.exponent));
-        equation.pointLights.push_back({nullptr, rounded(light.position), rounded(light.color) * scale,
-                                        static_cast<float>(light.intensity) * scale,
-                                        static_cast<float>(light.decay), 0});
+        equation.pointLights.push_back(
+            {nullptr, rounded(light.position) - rounded(plan.eye), rounded(light.color) * scale,
+             static_cast<float>(light.intensity) * scale, static_cast<float>(light.decay), 0});
     }
     equation.ambientLight = rounded(plan.ambient);
     return equation;
 }
 
+// What the equation says of a point, and S.
+struct Shade {
+    Vec P, S;
+};
+Shade shade(const Equation<Real>& equation, const lighting::reference::Lit<Real>& at) {
+    Equation<Real> strength = equation;
+    strength.terms = equation.terms.without(lighting::Term::cosine);
+    lighting::reference::Lit<Real> matt = at;
+    matt.gloss = {};
+    Vec S = strength.lighting(matt);
+    const auto addHighlight = [&](const lighting::reference::Addend<Real>& addend) {
+        if (equation.terms.has(lighting::Term::specular))
+            S += addend.f * (highlightStrength(at, addend.w) * addend.L);
+    };
+    return {equation.lighting(at, addHighlight), S};
+}
+
 }  // namespace
+
+Vec highlightStrength(const lighting::reference::Lit<Real>& at, const Vec& w) {
+    const Vec h = w - at.Q / std::sqrt(glm::dot(at.Q, at.Q));
+    const Real length = std::sqrt(glm::dot(h, h));
+    lighting::reference::Lit<Real> mirror = at;
+    mirror.n = h / length;
+    mirror.gloss.shininess = 0;
+    const auto of = [&](Real specular) {
+        mirror.gloss.specular = Vec(specular);
+        return Equation<Real>::highlight(mirror, w).r;
+    };
+    const bool blinn = at.gloss.model == THREE::SpecularModel::blinn;
+    const Real cosine = blinn ? glm::dot(mirror.n, w) : 1, lobe = blinn ? at.gloss.shininess / 2 + 1 : 1;
+    return length > 0 && cosine > 0 ? (at.gloss.specular * of(1) + of(1e-4000L)) * (lobe / cosine) : Vec(0);
+}
 
 ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
     const Drawn drawn = draw(scene, camera, options);
@@ -72,9 +109,10 @@ ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera,
     };
     const image::Floats positions = values("worldPosition"), normals = values("worldNormal"),
                         colors = values("baseColor");
-    const lighting::TermSet terms = options.settings.terms;
-    const Equation<Real> equation = equationOf(drawn.plan, terms);
-    const Equation<Real> strength = equationOf(drawn.plan, terms.without(lighting::Term::cosine));
+    const image::Floats specular = values(ofTheHighlight("specularColor")),
+                        shininess = values(ofTheHighlight("vec3(shininess, BLINN ? 1.0 : 0.0, 0.0)"));
+    const Equation<Real> equation = equationOf(drawn.plan, options.settings.terms);
+    const Vec eye = rounded(drawn.plan.eye);
     bool others = false;
     for (const lighting::PointAddend& light : drawn.plan.point)
         others |= light.decay != 0 && light.decay != 1 && light.decay != 2;
@@ -87,9 +125,10 @@ ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera,
         const Vec normal = vector(normals);
         if (normal == Vec(0))
             continue;
-        const Vec n = normal / std::sqrt(glm::dot(normal, normal));
-        const Vec truth = equation.lighting(n, vector(positions), vector(colors));
-        const Vec S = strength.lighting(n, vector(positions), vector(colors));
+        const Vec n = normal / std::sqrt(glm::dot(normal, normal)), gloss = vector(shininess);
+        const auto model = gloss.y > 0 ? THREE::SpecularModel::blinn : THREE::SpecularModel::phong;
+        const auto [truth, S] =
+            shade(equation, {n, vector(positions) - eye, vector(colors), {vector(specular), gloss.x, model}});
         ++result.pixels;
         for (int channel = 0; channel < 3; ++channel) {
             const Real error =

@@ -3,22 +3,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lighting/reference/equation.hpp"
 #include "support/draw.hpp"
 
 namespace support {
 
 /// What came out over all pixels of all lit meshes.
 struct ShadingError {
-    double worst =
-        0;  ///< largest |error| in units of u S, S = D (x) (sum f L + L_A), as if every cosine were 1
-    double bound = 0;  ///< what design.md 7 promises for this scene, in the same units
+    /// Largest |error| in units of u S, S = D (x) (sum f L + L_A) + K_S (x) sum f L, as if every cosine and power were 1.
+    double worst = 0;
+    double bound = 0;  ///< what design.md 7 promises for this scene without highlights, in the same units
     int x = 0, y = 0;  ///< where the worst is
     long long pixels = 0;  ///< how many were judged
 };
 
-/// Draws the scene, and its interpolated positions, normals and base colours, in float. Lights count as the floats that the
+/// Draws the scene, and its interpolated positions, normals and materials, in float. Lights count as the floats that the
 /// GPU has; what interpolation and transforms do is not in this error. Meshes must be lit and not emissive, lights without
 /// `distance`; the background must be black.
 ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
+
+/// S of a highlight in light of direction w: K_S for Phong's, (K_S + grazing) (s + 2)/8 for three.js's, whose Fresnel factor
+/// is K_S (1 - grazing) + grazing. The eye is at the origin.
+lighting::reference::Vec3<long double> highlightStrength(const lighting::reference::Lit<long double>& at,
+                                                         const lighting::reference::Vec3<long double>& w);
 
 }  // namespace support

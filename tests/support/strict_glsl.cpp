@@ -18,11 +18,16 @@ namespace glsl {
 namespace {
 
 // In a shader these counts are constants of its variant; here they are variables, so that one class does for all scenes.
-struct FragmentBuiltins {
-    bool gl_FrontFacing = true;
+struct VariantConstants {
     int NUM_DIRECTIONAL_LIGHTS = 0, NUM_POINT_LIGHTS = 0;
     int END_DECAY_0 = 0, END_DECAY_1 = 0, END_DECAY_2 = 0;
     bool BLINN = false;
+};
+struct VertexBuiltins : VariantConstants {
+    vec4 gl_Position;
+};
+struct FragmentBuiltins : VariantConstants {
+    bool gl_FrontFacing = true;
 };
 
 // What makes GLSL valid C++, for the includes below only.
@@ -57,10 +62,19 @@ struct FragmentBuiltins {
 #define TERM_SPECULAR 1
 
 #define VERTEX_SHADER
-struct MeshVertex {
-    vec4 gl_Position;
+struct MeshVertex : VertexBuiltins {
 #include "../../shaders/mesh.vert"
 };
+#define SCALED 0
+struct PlainGouraudVertex : VertexBuiltins {
+#include "../../shaders/gouraud.vert"
+};
+#undef SCALED
+#define SCALED 1
+struct ScaledGouraudVertex : VertexBuiltins {
+#include "../../shaders/gouraud.vert"
+};
+#undef SCALED
 #undef VERTEX_SHADER
 
 #define FRAGMENT_SHADER
@@ -68,10 +82,16 @@ struct MeshVertex {
 struct PlainFragment : FragmentBuiltins {
 #include "../../shaders/mesh.frag"
 };
+struct PlainGouraudFragment : FragmentBuiltins {
+#include "../../shaders/gouraud.frag"
+};
 #undef SCALED
 #define SCALED 1
 struct ScaledFragment : FragmentBuiltins {
 #include "../../shaders/mesh.frag"
+};
+struct ScaledGouraudFragment : FragmentBuiltins {
+#include "../../shaders/gouraud.frag"
 };
 
 #undef float
@@ -114,11 +134,9 @@ sampler2D packLights(const lighting::FramePlan& plan) {
     return data;
 }
 
+// What every stage needs that has the equation in it.
 template <class Stage>
-StrictFragment run(const lighting::FramePlan& plan, const lighting::Draw& draw, const glm::vec3& position,
-                   const glm::vec3& normal, bool front) {
-    Stage stage;
-    stage.gl_FrontFacing = front || !draw.variant.doubleSided;
+void setLighting(Stage& stage, const lighting::FramePlan& plan, const lighting::Draw& draw) {
     stage.NUM_DIRECTIONAL_LIGHTS = draw.variant.directional;
     stage.NUM_POINT_LIGHTS = draw.variant.point();
     stage.END_DECAY_0 = draw.variant.decay0;
@@ -132,8 +150,54 @@ StrictFragment run(const lighting::FramePlan& plan, const lighting::Draw& draw, 
     stage.specularColor = in3(glm::vec3(draw.specular));
     stage.shininess = static_cast<float>(draw.shininess);
     stage.eyePosition = in3(glm::vec3(plan.eye));
+}
+
+template <class Stage>
+void setVertex(Stage& stage, const lighting::Draw& draw, const glm::dvec3& position,
+               const glm::dvec3& normal) {
+    const glm::mat4 clip(draw.clip);
+    const glm::mat4x3 model{glm::dmat4x3(draw.model)};
+    const glm::mat3 normalMatrix(draw.normalMatrix);
+    for (int i = 0; i < 4; ++i) {
+        stage.modelViewProjectionMatrix.column[i] = in4(clip[i]);
+        stage.modelMatrix.column[i] = in3(model[i]);
+    }
+    for (int i = 0; i < 3; ++i)
+        stage.normalMatrix.column[i] = in3(normalMatrix[i]);
+    stage.position = in3(glm::vec3(position - draw.origin));
+    stage.normal = in3(glm::vec3(glm::dvec3(THREE::Vector3(normal).normalize())));
+}
+
+template <class Stage>
+StrictFragment run(const lighting::FramePlan& plan, const lighting::Draw& draw, const glm::vec3& position,
+                   const glm::vec3& normal, bool front) {
+    Stage stage;
+    stage.gl_FrontFacing = front || !draw.variant.doubleSided;
+    setLighting(stage, plan, draw);
     stage.worldPosition = in3(position);
     stage.worldNormal = in3(normal);
+    stage.main();
+    return {out3(stage.pixel.rgb()), stage.nonfinite.r > 0};
+}
+
+template <class Stage>
+StrictGouraudVertex runGouraud(const lighting::FramePlan& plan, const lighting::Draw& draw,
+                               const glm::dvec3& position, const glm::dvec3& normal) {
+    Stage stage;
+    setLighting(stage, plan, draw);
+    setVertex(stage, draw, position, normal);
+    stage.main();
+    return {out4(stage.gl_Position), out3(stage.frontColor), out3(stage.backColor),
+            stage.metNonfinite.value()};
+}
+
+template <class Stage>
+StrictFragment runGouraud(const lighting::Draw& draw, const StrictGouraudVertex& between, bool front) {
+    Stage stage;
+    stage.gl_FrontFacing = front || !draw.variant.doubleSided;
+    stage.frontColor = in3(between.frontColor);
+    stage.backColor = in3(between.backColor);
+    stage.metNonfinite = between.metNonfinite;
     stage.main();
     return {out3(stage.pixel.rgb()), stage.nonfinite.r > 0};
 }
@@ -143,18 +207,8 @@ StrictFragment run(const lighting::FramePlan& plan, const lighting::Draw& draw, 
 }  // namespace glsl
 
 StrictVertex strictVertex(const lighting::Draw& draw, const glm::dvec3& position, const glm::dvec3& normal) {
-    const glm::mat4 clip(draw.clip);
-    const glm::mat4x3 model{glm::dmat4x3(draw.model)};
-    const glm::mat3 normalMatrix(draw.normalMatrix);
     glsl::MeshVertex stage;
-    for (int i = 0; i < 4; ++i) {
-        stage.modelViewProjectionMatrix.column[i] = glsl::in4(clip[i]);
-        stage.modelMatrix.column[i] = glsl::in3(model[i]);
-    }
-    for (int i = 0; i < 3; ++i)
-        stage.normalMatrix.column[i] = glsl::in3(normalMatrix[i]);
-    stage.position = glsl::in3(glm::vec3(position - draw.origin));
-    stage.normal = glsl::in3(glm::vec3(glm::dvec3(THREE::Vector3(normal).normalize())));
+    glsl::setVertex(stage, draw, position, normal);
     stage.main();
     return {glsl::out4(stage.gl_Position), glsl::out3(stage.worldPosition), glsl::out3(stage.worldNormal)};
 }
@@ -164,6 +218,18 @@ StrictFragment strictFragment(const lighting::FramePlan& plan, const lighting::D
     return draw.variant.scaled
                ? glsl::run<glsl::ScaledFragment>(plan, draw, worldPosition, worldNormal, front)
                : glsl::run<glsl::PlainFragment>(plan, draw, worldPosition, worldNormal, front);
+}
+
+StrictGouraudVertex strictGouraudVertex(const lighting::FramePlan& plan, const lighting::Draw& draw,
+                                        const glm::dvec3& position, const glm::dvec3& normal) {
+    return draw.variant.scaled ? glsl::runGouraud<glsl::ScaledGouraudVertex>(plan, draw, position, normal)
+                               : glsl::runGouraud<glsl::PlainGouraudVertex>(plan, draw, position, normal);
+}
+
+StrictFragment strictGouraudFragment(const lighting::Draw& draw, const StrictGouraudVertex& between,
+                                     bool front) {
+    return draw.variant.scaled ? glsl::runGouraud<glsl::ScaledGouraudFragment>(draw, between, front)
+                               : glsl::runGouraud<glsl::PlainGouraudFragment>(draw, between, front);
 }
 
 }  // namespace support

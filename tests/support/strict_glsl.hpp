@@ -16,7 +16,14 @@ struct StrictVertex {
     glm::vec3 worldNormal;  ///< frame space, unit length
 };
 
-/// What shaders/mesh.frag makes of a fragment.
+/// What shaders/gouraud.vert makes of a vertex: the equation is in it. Also what a rasteriser makes of several.
+struct StrictGouraudVertex {
+    glm::vec4 clip;  ///< clip space
+    glm::vec3 frontColor, backColor;  ///< P on both sides, scaled as shaders/range.glsl does for its way
+    float metNonfinite;  ///< above 0 where a vertex met NaN or infinity, before any max or clamp
+};
+
+/// What shaders/mesh.frag or gouraud.frag makes of a fragment.
 struct StrictFragment {
     glm::vec3 P;  ///< the pixel's colour, not limited to [0,1]
     bool nonfinite;  ///< watch() of shaders/variant.glsl met NaN or infinity, before any max or clamp
@@ -32,5 +39,13 @@ StrictVertex strictVertex(const lighting::Draw& draw, const glm::dvec3& position
 StrictFragment strictFragment(const lighting::FramePlan& plan, const lighting::Draw& draw,
                               const glm::vec3& worldPosition, const glm::vec3& worldNormal,
                               bool front = true);
+
+/// Runs gouraud.vert, as strictVertex and strictFragment do mesh.vert and mesh.frag.
+StrictGouraudVertex strictGouraudVertex(const lighting::FramePlan& plan, const lighting::Draw& draw,
+                                        const glm::dvec3& position, const glm::dvec3& normal);
+
+/// Runs gouraud.frag on what lies between vertices.
+StrictFragment strictGouraudFragment(const lighting::Draw& draw, const StrictGouraudVertex& between,
+                                     bool front = true);
 
 }  // namespace support

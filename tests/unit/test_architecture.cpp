@@ -162,10 +162,10 @@ Stripped strip(const std::string& text) {
     return result;
 }
 
-// A word that a lesson must not contain: a branch, a loop, a name of GL or EGL, or the R of a raw string, which
-// strip() would misread.
+// A word that a lesson must not contain: a branch, a name of GL or EGL, or the R of a raw string, which strip() would
+// misread. `for` is allowed: slide 38's sum over the lights is a loop over lights.
 bool forbidden(const std::string& word) {
-    static const std::set<std::string> words = {"if", "for", "while", "do", "switch", "goto", "R"};
+    static const std::set<std::string> words = {"if", "else", "while", "do", "switch", "goto", "R"};
     const auto isCall = [&word](const std::string& prefix) {
         return word.starts_with(prefix) && word.size() > prefix.size() &&
                std::isupper(static_cast<unsigned char>(word[prefix.size()])) != 0;
@@ -252,10 +252,10 @@ TEST(Architecture, EveryFileSaysWhatItIsForAndItsLicence) {
 TEST(Architecture, LessonsAreFreeOfBranchesGLAndPaths) {
     std::vector<std::string> lessons;
     for (const std::string& file : filesBelow({"lessons"}, {".cpp"}))
-        if (file.starts_with("lessons/lesson_") || file == "lessons/scene_viewer.cpp")
-            lessons.push_back(file);
-    EXPECT_GE(lessons.size(), 2u) << "no lessons were found below " << root;
-    EXPECT_EQ(std::count(lessons.begin(), lessons.end(), "lessons/scene_viewer.cpp"), 1);
+        lessons.push_back(file);
+    for (const char* known : {"lesson_00_scene", "interlude_brdf", "scene_viewer"})
+        EXPECT_EQ(std::count(lessons.begin(), lessons.end(), "lessons/" + std::string(known) + ".cpp"), 1)
+            << known;
     for (const std::string& file : lessons)
         for (const std::string& found : lessonComplaints(read(root / file)))
             ADD_FAILURE() << file << ": a lesson must not contain " << found;
@@ -302,17 +302,17 @@ TEST(ArchitectureRules, EachForbiddenDirectionIsNoticed) {
 }
 
 TEST(ArchitectureRules, EachForbiddenWordOfALessonIsNoticed) {
-    for (const char* bad :
-         {"if (a) b();", "for (;;) {}", "while(true);", "switch (x) {}", "a ? b : c", "do {",
-          "x = 1'000; if (a)", "glEnable(1);", "f(GL_BLEND);", "load(\"models/a.obj\");", "load(\"/tmp\");",
-          "auto s = R\"(text)\";", "s = \"\\\"\"; if (a)"})
+    for (const char* bad : {"if (a) b();", "else b();", "while(true);", "switch (x) {}", "a ? b : c", "do {",
+                            "x = 1'000; if (a)", "glEnable(1);", "f(GL_BLEND);", "load(\"models/a.obj\");",
+                            "load(\"/tmp\");", "auto s = R\"(text)\";", "s = \"\\\"\"; if (a)"})
         EXPECT_EQ(lessonComplaints(bad).size(), 1u) << bad;
 }
 
 TEST(ArchitectureRules, AGoodLessonPasses) {
     EXPECT_EQ(
         lessonComplaints("#include \"lab/lab.hpp\"\n// if this is so, why? see docs/x\n/* for glUse */\n"
-                         "auto gloss = format(\"if? for\", 'x', 1'000);\nint notify, glue = iffy;\n"),
+                         "auto gloss = format(\"if? for\", 'x', 1'000);\nint notify, glue = iffy;\n"
+                         "for (Light& luce : anello) scena.add(luce);\n"),
         std::vector<std::string>{});
 }
 

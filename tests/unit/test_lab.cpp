@@ -87,7 +87,8 @@ TEST(View, ADragIsNotLostWithJitter) {
     lab::Options options;
     options.jitter = 5;
     const lab::Animation still;
-    lab::View view(scene, camera, still, options);
+    lab::Controls controls;
+    lab::View view(scene, camera, still, options, controls);
     view.update(0, 64, 64);
     const Vector3 before = camera.position;
     view.orbit().rotate(0.1, 0);
@@ -148,11 +149,11 @@ TEST(View, BringsAnySceneIntoView) {
 }
 
 TEST(Equation, SaysWhatIsLeft) {
-    EXPECT_EQ(lab::equationText(TermSet::all()), "P = Σ max(0, n·ω) f(d) D ⊗ L + D ⊗ L_A");
-    EXPECT_EQ(lab::equationText(TermSet::none()), "P = 0");
-    EXPECT_EQ(lab::equationText(TermSet::all().without(Term::clamp).without(Term::ambient)),
+    EXPECT_EQ(lab::equationText(TermSet::all(), false), "P = Σ max(0, n·ω) f(d) D ⊗ L + D ⊗ L_A");
+    EXPECT_EQ(lab::equationText(TermSet::none(), false), "P = 0");
+    EXPECT_EQ(lab::equationText(TermSet::all().without(Term::clamp).without(Term::ambient), false),
               "P = Σ (n·ω) f(d) D ⊗ L");
-    EXPECT_EQ(lab::equationText(TermSet::all().without(Term::albedo).without(Term::point)),
+    EXPECT_EQ(lab::equationText(TermSet::all().without(Term::albedo).without(Term::point), false),
               "P = Σdir max(0, n·ω) f(d) 1 ⊗ L + 1 ⊗ L_A");
 }
 

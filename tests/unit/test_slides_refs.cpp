@@ -1,29 +1,13 @@
-// Checks slides_refs/: every slide with text is there, its code is really in the lessons, its README shows the same.
+// Checks slides_refs/slides.json: every slide with text is there, and its code is really in the lessons.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+#include "unit/test_slides_refs.hpp"
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <sstream>
 
 namespace {
 
-using nlohmann::json;
-using Strings = std::vector<std::string>;
-
-const std::string root = LAMBERT_SOURCE_DIR;
-
-// The slides whose text says something; the others of 1-45 are title pages, pictures, or missing from the extract.
-const std::vector<int> slidesWithText{3,  4,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 20, 22, 23, 24, 25, 26,
-                                      27, 28, 29, 30, 31, 32, 33, 34, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45};
+using namespace slides_refs;
 
 struct CodeItem {
     Strings cpp;
@@ -43,48 +27,6 @@ const std::map<std::string, CodeItem> codeItems{
     {"43",
      {{"THREE::AmbientLight luceAmbiente(0x101010);", "miaScena.add(luceAmbiente);"}, "lesson_04_ambient"}},
 };
-
-const std::set<std::string> lessonNames{
-    "lesson_00_scene",       "lesson_01_material",     "lesson_02_directional_light",
-    "lesson_03_point_light", "lesson_04_ambient",      "lesson_05_attenuation",
-    "lesson_06_many_lights", "lesson_07_normal_space", "lesson_08_shading_frequency",
-    "lesson_09_phong",       "interlude_brdf",         "interlude_cosine_law"};
-
-const std::map<std::string, int> termKeys{{"albedo", 1},      {"cosine", 2},      {"clamp", 3},
-                                          {"light_color", 4}, {"attenuation", 5}, {"directional", 6},
-                                          {"point", 7},       {"ambient", 8},     {"specular", 9}};
-
-std::string readText(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw std::runtime_error("cannot read " + path);
-    }
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-const json& refs() {
-    static const json document = json::parse(readText(root + "/slides_refs/slides.json"));
-    return document;
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-bool isText(const json& value) { return value.is_string() && !trimmed(value.get<std::string>()).empty(); }
-
-// Both languages, both with something in them.
-void expectBilingual(const json& value, const std::string& where) {
-    ASSERT_TRUE(value.is_object()) << where;
-    EXPECT_TRUE(value.contains("it") && isText(value["it"])) << where << ".it";
-    EXPECT_TRUE(value.contains("en") && isText(value["en"])) << where << ".en";
-}
-
-std::string slideName(const json& slide) { return "slide " + slide.at("number").dump(); }
 
 std::size_t occurrences(const std::string& text, const std::string& part) {
     std::size_t n = 0;
@@ -122,28 +64,6 @@ bool holdsInOrder(const Strings& lines, const Strings& wanted) {
         ++from;
     }
     return true;
-}
-
-// How README.md opens an erratum's row: all its slides, and its kind unless it stands among the misprints.
-std::string erratumRow(const json& erratum) {
-    std::set<int> numbers = erratum.at("also").get<std::set<int>>();
-    numbers.insert(erratum.at("slide").get<int>());
-    std::string row = "|";
-    std::string separator = " ";
-    for (const int number : numbers) {
-        row += std::exchange(separator, ", ") + std::to_string(number);
-    }
-    const auto kind = erratum.at("kind").get<std::string>();
-    return kind == "misprint" ? row : row + " | " + kind;
-}
-
-// README.md with table cells unescaped, so that a formula's bars compare equal.
-std::string readmeText() {
-    std::string text = readText(root + "/slides_refs/README.md");
-    for (auto at = text.find("\\|"); at != std::string::npos; at = text.find("\\|", at)) {
-        text.erase(at, 1);
-    }
-    return text;
 }
 
 TEST(SlidesRefs, EverySlideWithTextOnceInOrderAndInBothLanguages) {
@@ -241,19 +161,6 @@ TEST(SlidesRefs, SymbolsNameTheTermThatSwitchesThem) {
     }
 }
 
-TEST(SlidesRefs, LessonsAreKnownTargets) {
-    std::set<std::string> reached;
-    for (const json& slide : refs().at("slides")) {
-        EXPECT_FALSE(slide.at("lessons").empty()) << slideName(slide);
-        for (const json& lesson : slide.at("lessons")) {
-            reached.insert(lesson.get<std::string>());
-            EXPECT_TRUE(lessonNames.contains(lesson.get<std::string>()))
-                << slideName(slide) << ": " << lesson;
-        }
-    }
-    EXPECT_EQ(reached, lessonNames) << "a lesson that no slide leads to";
-}
-
 TEST(SlidesRefs, CodeItemsEachOnceWithTheirLines) {
     std::multiset<std::string> seen;
     for (const json& slide : refs().at("slides")) {
@@ -315,29 +222,19 @@ TEST(SlidesRefs, ErrataSpeakOfExistingSlidesAndGiveReasons) {
     }
 }
 
-TEST(SlidesRefs, ReadmeShowsTheSameSlidesAndErrata) {
-    const auto readme = readmeText();
-    const auto shows = [&readme](const std::string& text) { return readme.find(text) != std::string::npos; };
-    for (const json& slide : refs().at("slides")) {
-        std::string row =
-            "| " + slide.at("number").dump() + " | " + slide.at("title").at("en").get<std::string>();
-        std::string separator = " | `";
-        for (const json& lesson : slide.at("lessons")) {
-            row += std::exchange(separator, ", `") + lesson.get<std::string>() + "`";
+// However often a line occurs, only one of them answers for the slide: not two lessons, and not twice in one.
+TEST(SlidesRefs, EachLineOfCodeIsClaimedByOneLessonLine) {
+    for (const auto& [item, code] : codeItems) {
+        for (const std::string& line : code.cpp) {
+            Strings claims;
+            for (const auto& [lesson, source] : lessonTexts()) {
+                const Strings tagged = linesTagged(source, item);
+                claims.insert(claims.end(),
+                              static_cast<std::size_t>(std::count(tagged.begin(), tagged.end(), line)),
+                              lesson);
+            }
+            EXPECT_EQ(claims, Strings{code.lesson}) << item << ": " << line;
         }
-        row += " |";
-        if (!slide.at("equation").is_null()) {
-            row += " `" + slide.at("equation").at("text").get<std::string>() + "` |";
-        }
-        EXPECT_TRUE(shows(row)) << "README.md lacks the row " << row;
-    }
-    for (const json& erratum : refs().at("errata")) {
-        std::string row = erratumRow(erratum);
-        for (const char* field : {"says", "should_say", "reason"}) {
-            row += " | " + erratum.at(field).at("en").get<std::string>();
-        }
-        EXPECT_TRUE(shows(row)) << "README.md lacks the erratum on slide " << erratum.at("slide") << ":"
-                                << row;
     }
 }
 

@@ -1,0 +1,113 @@
+// Steps of round numbers, and --set.
+// SPDX-License-Identifier: MIT
+#include "lab/controls.hpp"
+
+#include "three/geometry_builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace lab {
+
+namespace {
+
+// About a hundredth of the range: 1, 2 or 5 times a power of ten.
+double stepOf(const Slider& slider) {
+    const double hundredth = (slider.max - slider.min) / 100;
+    const double power = std::pow(10, std::floor(std::log10(hundredth)));
+    const double digit = hundredth / power;
+    return power * (digit < 1.5 ? 1 : digit < 3.2 ? 2 : digit < 7 ? 5 : 10);
+}
+
+// The multiple of a step. A fraction is divided by a whole number, so that it is the double nearest to its digits.
+double multiple(double count, double step) {
+    return step < 1 ? count / std::round(1 / step) : count * std::round(step);
+}
+
+std::optional<double> number(std::string_view text) {
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+void Slider::move(int steps) {
+    const double step = stepOf(*this);
+    const double count = value / step;
+    const double onGrid = steps > 0 ? std::floor(count + 1e-6) : std::ceil(count - 1e-6);
+    value = std::clamp(multiple(onGrid + steps, step), min, max);
+}
+
+void Slider::moveTo(double share) {
+    const double step = stepOf(*this);
+    const double wanted = min + std::clamp(share, 0.0, 1.0) * (max - min);
+    value = std::clamp(multiple(std::round(wanted / step), step), min, max);
+}
+
+const double& Controls::add(const std::string& name, double start, double min, double max,
+                            lighting::Text label) {
+    const auto taken = [&name](const Slider& slider) { return slider.name == name; };
+    if (name.empty() || name.find('=') != std::string::npos ||
+        std::any_of(sliders_.begin(), sliders_.end(), taken))
+        throw std::invalid_argument("slider '" + name + "': expected a new name without '='; choose another");
+    if (!(min < max && min <= start && start <= max && std::isfinite(max - min)))
+        throw std::invalid_argument(
+            "slider '" + name + "': expected min <= start <= max and min < max, found " +
+            THREE::numberText(min) + ", " + THREE::numberText(start) + ", " + THREE::numberText(max));
+    return sliders_.emplace_back(Slider{name, start, min, max, label, start}).value;
+}
+
+std::string Controls::set(std::span<const std::string> assignments) {
+    std::string known;
+    for (const Slider& slider : sliders_)
+        known += (known.empty() ? "" : ", ") + slider.name + " (" + THREE::numberText(slider.min) + " to " +
+                 THREE::numberText(slider.max) + ")";
+    for (const std::string& assignment : assignments) {
+        const std::size_t equals = assignment.find('=');
+        const std::string name = assignment.substr(0, equals);
+        const auto slider = std::find_if(sliders_.begin(), sliders_.end(),
+                                         [&name](const Slider& s) { return s.name == name; });
+        const std::optional<double> value = equals == std::string::npos
+                                                ? std::nullopt
+                                                : number(std::string_view(assignment).substr(equals + 1));
+        if (sliders_.empty())
+            return "--set: found '" + assignment + "', but this program has no sliders; leave --set out";
+        if (slider == sliders_.end() || !value || !(*value >= slider->min && *value <= slider->max))
+            return "--set: expected NAME=VALUE with one of " + known + ", found '" + assignment + "'";
+        slider->start = slider->value = *value;
+    }
+    return {};
+}
+
+void Controls::reset() {
+    for (Slider& slider : sliders_)
+        slider.value = slider.start;
+}
+
+std::string Controls::text() const {
+    std::string text;
+    for (const Slider& slider : sliders_)
+        text += (text.empty() ? "" : " ") + slider.name + "=" + THREE::numberText(slider.value);
+    return text;
+}
+
+std::string valueText(double value) {
+    const bool whole = value == std::round(value) && std::abs(value) < 1e15;
+    std::array<char, 64> digits{};
+    const auto end = whole ? std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0,
+                                           std::chars_format::fixed)
+                           : std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                           std::chars_format::general, 4);
+    return {digits.data(), end.ptr};
+}
+
+}  // namespace lab

@@ -1,0 +1,30 @@
+// What a light costs (slide 39: each one is another addend at every pixel).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lab/view.hpp"
+#include "render/renderer.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace lab {
+
+/// Times of frames with all lights and without the directional and point ones, drawn in turns.
+struct LightCost {
+    int lights = 0;  ///< directional and point ones that are computed
+    std::vector<double> with, without;  ///< milliseconds each
+
+    /// Milliseconds for each light; 0 without lights.
+    double each() const;
+};
+
+/// Draws `frames` frames of each kind at `time`. `done` is told how many are drawn.
+LightCost measureLights(View& view, render::Renderer& renderer, const lighting::Switches& switches,
+                        double time, const render::FrameRequest& request, int frames,
+                        const std::function<void(int)>& done = {});
+
+/// The middle one, or the mean of the two in the middle; 0 for none.
+double median(std::vector<double> values);
+
+}  // namespace lab
