@@ -164,8 +164,9 @@ void addFiles(CLI::App& app, Options& options) {
         "FILE: draws one frame without a window (.png, or .exr in floats) and leaves");
     add("--dump-scene", options.dumpScene, "FILE: scrive la scena come JSON di three.js",
         "FILE: writes the scene as three.js JSON");
-    add("--shaders", options.shaders, "DIR: usa gli shader di questa cartella",
-        "DIR: uses the shader files of this folder");
+    add("--shaders", options.shaders,
+        "DIR: gli shader di questa cartella al posto di quelli del laboratorio con lo stesso nome",
+        "DIR: the shaders of this folder in place of the lab's of the same name");
 }
 
 void addSwitches(CLI::App& app, Options& options) {

@@ -6,7 +6,7 @@ uniform vec3 eyePosition;    // the camera, in the space of Q
 uniform vec3 specularColor;  // K_S
 uniform float shininess;     // s
 
-// v: unit vector from the point towards the eye; 0 where a vertex is in the very place of the eye
+// v: unit vector from the point towards the eye; 0 at the eye itself, where a vertex may be but no fragment
 vec3 view_direction(vec3 Q)
 {
     vec3 v = eyePosition - Q;
@@ -40,12 +40,12 @@ vec3 blinn(vec3 n, vec3 w, vec3 v)
     return (lobe * dot(n, w) * (0.25 * (0.5 * shininess + 1.0))) * (specularColor * (1.0 - grazing) + vec3(grazing));
 }
 
-// n, w, v: unit vectors, all away from the point; without a v there is no highlight
+// n, w, v: unit vectors, all away from the point
 vec3 highlight(vec3 n, vec3 w, vec3 v)
 {
     float c = dot(n, w);
     vec3 R = 2.0 * c * n - w;  // w mirrored about n
-    return c > 0.0 && dot(v, v) > 0.0 ? (BLINN ? blinn(n, w, v) : cosine_power(R, v, shininess) * specularColor) : vec3(0.0);
+    return c > 0.0 ? (BLINN ? blinn(n, w, v) : cosine_power(R, v, shininess) * specularColor) : vec3(0.0);
 }
 
 // What a light's share of diffuse reflection becomes with its highlight; f: how much of the light arrives

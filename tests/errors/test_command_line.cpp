@@ -97,7 +97,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Shaders, CommandLine,
-    testing::Values(Case{"no_folder", {lesson, "--frame", "a.png", "--shaders", "nowhere"}, 3, "mesh.vert"}),
+    testing::Values(
+        Case{"no_folder", {lesson, "--frame", "a.png", "--shaders", "nowhere"}, 3, "no folder nowhere"},
+        Case{"no_file_of_the_labs",
+             {lesson, "--frame", "a.png", "--shaders", LAMBERT_SOURCE_DIR "/lessons"},
+             3,
+             "none of the lab's shader files"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BrokenScenes, NameTheFileThePlaceAndTheReason) {
@@ -149,11 +154,43 @@ TEST(BrokenShaders, NameTheFileAndTheLine) {
     EXPECT_NE(outcome.err.find("> " + line + " |"), std::string::npos)
         << "the line itself is shown: " << outcome.err;
     std::filesystem::remove(cosine);
+    support::writeFile(cosine, "float cosine(vec3 n, vec3 v) { return 1.0; }\n#include \"gone.glsl\"\n");
     const Outcome missing =
         support::run({lesson, "--frame", "a.png", "--shaders", "shaders"}, directory.path());
     EXPECT_EQ(missing.status, 3);
-    EXPECT_NE(missing.err.find("lighting.glsl:"), std::string::npos) << "who asked for it: " << missing.err;
+    EXPECT_NE(missing.err.find("terms/cosine.glsl:2: "), std::string::npos)
+        << "who asked for it: " << missing.err;
     EXPECT_EQ(directory.contents(), Arguments{"shaders"});
+}
+
+// A folder with one file of the lab's: that one counts, the others are the lab's; so are errors told.
+TEST(Shaders, OneFileIsEnough) {
+    const TemporaryDirectory directory;
+    std::filesystem::create_directories(directory.file("mine/terms"));
+    const std::string albedo = directory.file("mine/terms/albedo.glsl");
+    const auto draw = [&](const std::string& frame, const Arguments& more) {
+        Arguments arguments{lesson, "--frame", frame, "--size", "64x64"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return support::run(arguments, directory.path());
+    };
+    support::writeFile(albedo, "vec3 albedo(vec3 D) { return vec3(1.0); }\n");
+    ASSERT_EQ(draw("mine.exr", {"--shaders", "mine"}).status, 0);
+    ASSERT_EQ(draw("off.exr", {"--terms", "-albedo"}).status, 0);
+    ASSERT_EQ(draw("on.exr", {}).status, 0);
+    const auto frame = [&](const char* name) { return image::readFrame(directory.file(name)); };
+    EXPECT_LT(image::compare(frame("mine.exr"), frame("off.exr")).worst, 1e-6);
+    EXPECT_GT(image::compare(frame("mine.exr"), frame("on.exr")).worst, 0.1);
+    support::writeFile(albedo, "vec3 albedo(vec3 D)\n{\n    return vec2(1.0);\n}\n");
+    const Outcome mine = draw("broken.exr", {"--shaders", "mine"});
+    EXPECT_EQ(mine.status, 3);
+    EXPECT_NE(mine.err.find("\nterms/albedo.glsl:3:"), std::string::npos) << mine.err;
+    EXPECT_NE(mine.err.find("> 3 |     return vec2(1.0);"), std::string::npos) << mine.err;
+    // The lab's own file does not find what this one should have: its full name, so that an editor can open it.
+    support::writeFile(albedo, "vec3 base_colour(vec3 D) { return D; }\n");
+    const Outcome lost = draw("lost.exr", {"--shaders", "mine"});
+    EXPECT_EQ(lost.status, 3);
+    EXPECT_NE(lost.err.find("/share/lambert-lab/shaders/lighting.glsl:"), std::string::npos) << lost.err;
+    EXPECT_NE(lost.err.find("|     D = albedo(D);"), std::string::npos) << lost.err;
 }
 
 TEST(DumpScene, FollowsLinksAndSparesPipes) {

@@ -77,7 +77,7 @@ Without installing it, `LAB` stands for that of the folder of its sources, built
     cmake -S . -B build -DLambertLab_DIR=LAB/build
     cmake --build build
 
-## Run
+## NewRun
 
     build/@lesson@@shaders@
 
@@ -139,7 +139,7 @@ std::string inList(std::string text) {
 
 /// "slide 37.5" as the tags count, for the list of tasks.
 std::string listed(const Lesson& lesson, const LessonTasks& tasks, const std::string& lang) {
-    const std::vector<Run> runs = runsOf(lesson);
+    const std::vector<NewRun> runs = runsOf(lesson);
     std::string text;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         text += std::to_string(i + 1) + ". slide " + toString(runs[i].cites) + ": " +

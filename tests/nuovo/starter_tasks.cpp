@@ -36,9 +36,9 @@ ByLanguage readBilingual(const Json& json, const std::string& where) {
 
 bool isComment(const Line& line) { return trimmed(line.code).substr(0, 2) == "//"; }
 
-std::map<std::string, int> countByTag(const std::vector<Run>& runs) {
+std::map<std::string, int> countByTag(const std::vector<NewRun>& runs) {
     std::map<std::string, int> counts;
-    for (const Run& run : runs) {
+    for (const NewRun& run : runs) {
         ++counts[toString(run.cites)];
     }
     return counts;
@@ -46,8 +46,8 @@ std::map<std::string, int> countByTag(const std::vector<Run>& runs) {
 
 }  // namespace
 
-std::vector<Run> runsOf(const Lesson& lesson) {
-    std::vector<Run> runs;
+std::vector<NewRun> runsOf(const Lesson& lesson) {
+    std::vector<NewRun> runs;
     bool open = false;  // whether the last run goes on
     bool hasCode = false;  // whether it has more than comments
     for (std::size_t i = 0; i < lesson.lines.size(); ++i) {
@@ -82,7 +82,7 @@ LessonTasks readTasks(const std::filesystem::path& file, const Lesson& lesson) {
     const Json& all =
         member(member(json, "lessons", file.string()), lesson.stem, file.string() + ": lessons");
     const Json& byTag = member(all, "tasks", where);
-    const std::vector<Run> runs = runsOf(lesson);
+    const std::vector<NewRun> runs = runsOf(lesson);
     for (const auto& [tag, count] : countByTag(runs)) {
         const Json& texts = member(byTag, tag, where + ".tasks");
         if (!texts.is_array() || texts.size() != static_cast<std::size_t>(count)) {
@@ -93,7 +93,7 @@ LessonTasks readTasks(const std::filesystem::path& file, const Lesson& lesson) {
     }
     LessonTasks tasks;
     std::map<std::string, std::size_t> used;
-    for (const Run& run : runs) {
+    for (const NewRun& run : runs) {
         const std::string tag = toString(run.cites);
         const std::size_t n = used[tag]++;
         tasks.runs.push_back(

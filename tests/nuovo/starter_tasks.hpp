@@ -16,14 +16,14 @@ using ByLanguage = std::map<std::string, std::string>;
 
 /// NUOVO lines of a lesson that belong together. A run ends at an old line, at another tag, and before a comment that
 /// opens the next run. Blank lines inside belong to it.
-struct Run {
+struct NewRun {
     Citation cites;
     std::size_t begin = 0;  ///< index into Lesson::lines
     std::size_t end = 0;  ///< behind the last NUOVO line
 };
 
 /// The runs of a lesson, in order.
-std::vector<Run> runsOf(const Lesson& lesson);
+std::vector<NewRun> runsOf(const Lesson& lesson);
 
 /// What is to be done in one lesson.
 struct LessonTasks {

@@ -118,7 +118,7 @@ std::string commented(const std::string& indent, const std::string& first, std::
 }
 
 std::string starterLesson(const Lesson& lesson, const LessonTasks& tasks, const std::string& lang) {
-    const std::vector<Run> runs = runsOf(lesson);
+    const std::vector<NewRun> runs = runsOf(lesson);
     std::string text = header(lesson, lang);
     for (std::size_t i = 0, run = 0; i < lesson.lines.size(); ++i) {
         const Line& line = lesson.lines[i];

@@ -91,7 +91,7 @@ TEST(Starter, SaysEveryNumberThatTheLessonNeeds) {
     std::size_t numbers = 0;
     for (std::size_t i = 1; i < chain.size(); ++i) {
         const LessonTasks tasks = readTasks(tasksFile, chain[i]);
-        const std::vector<Run> runs = runsOf(chain[i]);
+        const std::vector<NewRun> runs = runsOf(chain[i]);
         for (std::size_t run = 0; run < runs.size(); ++run)
             for (std::size_t line = runs[run].begin; line < runs[run].end; ++line)
                 for (const std::string& number : numbersOf(chain[i].lines[line].code)) {
@@ -113,7 +113,7 @@ TEST(Starter, TasksHaveNoLessonAndNoTagTooMany) {
             continue;
         known.insert(lesson.stem);
         std::set<std::string> tags;
-        for (const Run& run : runsOf(lesson))
+        for (const NewRun& run : runsOf(lesson))
             tags.insert(toString(run.cites));
         for (const auto& [tag, texts] : json.at("lessons").at(lesson.stem).at("tasks").items())
             EXPECT_TRUE(tags.contains(tag)) << lesson.stem << " has no line of " << tag;
@@ -174,7 +174,7 @@ TEST(Starter, ARunEndsWhereItsTaskEnds) {
                            "// More.  // NUOVO 1\n// Still.  // NUOVO 1\ne();  // NUOVO 1\n"
                            "f();  // NUOVO 2\ng();\nh();  // NUOVO 2\n");
     std::vector<std::string> found;
-    for (const Run& run : runsOf(lesson))
+    for (const NewRun& run : runsOf(lesson))
         found.push_back(toString(run.cites) + ": " + std::to_string(run.begin + 1) + "-" +
                         std::to_string(run.end));
     EXPECT_EQ(found, (std::vector<std::string>{"1: 3-3", "1: 5-7", "1: 8-10", "2: 11-11", "2: 13-13"}));
@@ -188,10 +188,12 @@ TEST(Starter, CommentsAreWrapped) {
               (std::vector<std::string>{"    // TODO 1: " + std::string(40, 'a'),
                                         "    //     " + std::string(45, 'b') + " " + std::string(10, 'c'),
                                         "    //     d e f"}));
-    for (const Lesson& lesson : readLessons(root / "lessons").chain)
-        if (lesson.number > 0)
-            for (const std::string& line : linesOf(starterLesson(lesson, readTasks(tasksFile, lesson), "en")))
-                EXPECT_LE(line.size(), 110U) << line;
+    for (const Lesson& lesson : readLessons(root / "lessons").chain) {
+        if (lesson.number == 0)
+            continue;
+        for (const std::string& line : linesOf(starterLesson(lesson, readTasks(tasksFile, lesson), "en")))
+            EXPECT_LE(line.size(), 110U) << line;
+    }
 }
 
 TEST(Starter, ATermBecomesItsNeutralElement) {

@@ -19,7 +19,7 @@ namespace {
 constexpr long double largestFloat = std::numeric_limits<float>::max();
 
 // World and view space differ by no more, relative to a frame's brightest pixel: 4 times what was measured on Mesa 22.3.6 llvmpipe.
-constexpr double spacesAllowed = 1e-5;
+constexpr double spacesAllowed = 4 * 2.3e-6;
 
 double ulp(long double x) {
     const double size = std::max(static_cast<double>(std::abs(x)), 0x1p-126);
@@ -119,6 +119,8 @@ void draw(const Setup& setup, Stage& stage, const Truth& t, const std::string& w
     const glm::vec3 pixel = world.at(stage.middle(), stage.middle());
     into.gl = pixel[setup.channel];
     judge(setup, t, pixel, "GL" + where, into);
+    if (setup.jumps)
+        return;
     judge(setup, t, view.at(stage.middle(), stage.middle()), "GL, view space" + where, into, extra);
     double brightest = 0, differ = 0;
     for (std::size_t i = 0; i < world.floats().size(); ++i) {
@@ -146,6 +148,8 @@ void runOnce(const Setup& setup, double size, double focusDistance, bool draws, 
         into.failures.push_back("the reference says " + std::to_string(into.expected) +
                                 ", the closed value is " + std::to_string(*setup.expected) + where.str());
     for (const lighting::Space space : {lighting::Space::view, lighting::Space::world}) {
+        if (setup.jumps && space == lighting::Space::view)
+            continue;
         stage.options.settings.space = space;
         const bool view = space == lighting::Space::view;
         const std::string who = std::string("strict IEEE") + (view ? ", view space" : "");

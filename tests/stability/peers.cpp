@@ -45,18 +45,34 @@ Float naiveFalloff(Float d, Float distance, Float decay) {
     return Float(1) / pow(d, decay) * window;
 }
 
-// The sum over the lights, for a unit normal (or what should be one). Only `falloff` differs.
+glm::dvec3 turned(const Setup& setup, const glm::dvec3& v) { return glm::dquat(setup.turn) * v; }
+
+// Highlights by the book: R whatever n . w is, and three.js's, which asks.
+vec3 highlight(const Gloss& gloss, vec3 n, vec3 w, vec3 v) {
+    const vec3 K = in(gloss.specular);
+    const Float s = gloss.shininess;
+    if (gloss.model == THREE::SpecularModel::phong)
+        return K * pow(max(dot(n * (Float(2) * dot(n, w)) - w, v), 0), s);
+    const vec3 h = normalize(w + v);
+    const Float vh = saturate(dot(v, h)), grazing = exp2((Float(-5.55473) * vh - 6.98316) * vh);
+    const Float lobe = Float(0.25) * (s * 0.5 + 1) * pow(saturate(dot(n, h)), s);
+    return (K * (Float(1) - grazing) + vec3(grazing)) * (saturate(dot(n, w)) * lobe);
+}
+
+// The sum over the lights, for a unit normal (or what should be one) at a point. Only `falloff` differs.
 template <class Falloff>
-glm::vec3 sum(const Setup& setup, vec3 n, const Falloff& falloff) {
-    const vec3 D = in(setup.albedo);
+glm::vec3 sum(const Setup& setup, const glm::dvec3& point, vec3 n, const Falloff& falloff) {
+    const vec3 D = in(setup.albedo), Q = in(point);
+    const vec3 v = normalize(in(setup.centre + turned(setup, setup.eye * setup.size)) - Q);
     vec3 P = D * Float(setup.ambient);
     for (const Lamp& lamp : setup.lamps) {
         const vec3 L = in(lamp.color * lamp.intensity);
-        const vec3 Q = in(setup.centre);
-        const vec3 v = lamp.kind == Lamp::sun ? in(lamp.place) : in(setup.centre + lamp.place) - Q;
-        const vec3 w = normalize(v);
-        const Float f = lamp.kind == Lamp::sun ? Float(1) : falloff(length(v), lamp.distance, lamp.decay);
+        const vec3 l = lamp.kind == Lamp::sun ? in(lamp.place) : in(setup.centre + lamp.place) - Q;
+        const vec3 w = normalize(l);
+        const Float f = lamp.kind == Lamp::sun ? Float(1) : falloff(length(l), lamp.distance, lamp.decay);
         P = P + saturate(dot(n, w)) * f * D * L;
+        if (setup.gloss)
+            P = P + highlight(*setup.gloss, n, w, v) * f * L;
     }
     return out(P);
 }
@@ -65,8 +81,6 @@ glm::vec3 sum(const Setup& setup, vec3 n, const Falloff& falloff) {
 vec3 middle(const vec3& a, const vec3& b) { return a * Float(0.5) + b * Float(0.5); }
 
 vec3 cross(vec3 a, vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-
-glm::dvec3 turned(const Setup& setup, const glm::dvec3& v) { return glm::dquat(setup.turn) * v; }
 
 // A corner of the plane as its vertex buffer holds it.
 glm::dvec3 corner(const Setup& setup, double x, double y) {
@@ -114,10 +128,21 @@ struct Matrix {
 }  // namespace
 
 glm::vec3 naiveGlsl(const Setup& setup) {
-    return sum(setup, normalize(middle(naiveVertex(setup, 1), naiveVertex(setup, 2))), naiveFalloff);
+    if (!setup.perVertex)
+        return sum(setup, setup.centre, normalize(middle(naiveVertex(setup, 1), naiveVertex(setup, 2))),
+                   naiveFalloff);
+    const auto at = [&](std::size_t vertex, double sign) {
+        const glm::dvec3 place = setup.centre + turned(setup, corner(setup, sign, sign));
+        return sum(setup, place, normalize(naiveVertex(setup, vertex)), naiveFalloff);
+    };
+    return 0.5F * at(1, 1) + 0.5F * at(2, -1);
 }
-glm::vec3 threeLegacy(const Setup& setup) { return sum(setup, threeMiddle(setup), legacyFalloff); }
-glm::vec3 threePhysical(const Setup& setup) { return sum(setup, threeMiddle(setup), physicalFalloff); }
+glm::vec3 threeLegacy(const Setup& setup) {
+    return sum(setup, setup.centre, threeMiddle(setup), legacyFalloff);
+}
+glm::vec3 threePhysical(const Setup& setup) {
+    return sum(setup, setup.centre, threeMiddle(setup), physicalFalloff);
+}
 
 glm::vec3 naiveNormal(const glm::dmat4& model, const glm::dvec3& normal) {
     const vec3 a = in(model[0]), b = in(model[1]), c = in(model[2]), n = in(normal);
@@ -178,6 +203,9 @@ void askPeers(const Setup& setup, double expected, Outcome& outcome) {
                                                             : peer(value, expected);
     };
     outcome.naive = ask(naiveGlsl(setup));
+    // three.js knows no R, and nothing per vertex since 2022.
+    if (setup.perVertex || (setup.gloss && setup.gloss->model == THREE::SpecularModel::phong))
+        return;
     outcome.legacy = ask(threeLegacy(setup));
     outcome.physical = ask(threePhysical(setup));
 }

@@ -98,12 +98,7 @@ void drawTable(const std::vector<Line>& lines, const std::string& path) {
     }
     int y = legendHeight + headHeight;
     for (std::size_t i = 0; i < lines.size(); ++i, y += rowHeight) {
-        Line shown = lines[i];
-        std::string& verdict_ = shown[verdict].text;  // the page has the room to say what is waited for
-        verdict_ = verdict_.substr(0, verdict_.find(';'));
-        if (shown[verdict].verdict == Peer::none)
-            verdict_ = "later";
-        drawLine(canvas, shown, y, i % 2 == 0 ? white : grey);
+        drawLine(canvas, lines[i], y, i % 2 == 0 ? white : grey);
     }
     canvas.write(path);
 }

@@ -11,7 +11,7 @@
 namespace stability {
 
 const char* name(Kind kind) {
-    constexpr std::array names{"shading", "refused", "matrix", "camera", "sum", "frame", "later"};
+    constexpr std::array names{"shading", "refused", "matrix", "camera", "sum", "frame"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -39,7 +39,7 @@ const std::vector<Row>& rows() {
     static const std::vector<Row> all = [] {
         std::vector<Row> list;
         for (const auto& family :
-             {geometryRows, lightRows, attenuationRows, matrixRows, cameraRows, sumRows, frameRows})
+             {geometryRows, lightRows, attenuationRows, matrixRows, cameraRows, sumRows, frameRows, phongRows})
             for (Row& row : family())
                 list.push_back(std::move(row));
         return list;

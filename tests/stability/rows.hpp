@@ -19,7 +19,6 @@ enum class Kind {
     camera,  ///< a view or a rotation
     sum,  ///< many addends
     frame,  ///< how pixels are stored
-    later,  ///< waits for something that the lab does not have yet
 };
 const char* name(Kind kind);
 
@@ -61,14 +60,13 @@ struct Row {
     std::optional<MatrixCase> matrix{};
     /// Whatever else must hold; called after the above, adds to what they found.
     std::function<void(Outcome&)> also{};
-    const char* waitsFor = nullptr;  ///< what the row, or a part of it, waits for
 };
 
-/// All 84, in order.
+/// All, in order: accuracy's 84, and those of highlights and of lighting per vertex.
 const std::vector<Row>& rows();
 const Row& row(const std::string& id);
 
-/// Runs a row. Must not be called for Kind::later.
+/// Runs a row.
 Outcome run(const Row& row);
 
 /// Adds a failure unless `good`.
@@ -84,6 +82,7 @@ std::vector<Row> matrixRows();  // M
 std::vector<Row> cameraRows();  // C
 std::vector<Row> sumRows();  // S
 std::vector<Row> frameRows();  // F
+std::vector<Row> phongRows();  // P
 
 // How the parts of a row are run.
 void runMatrix(const MatrixCase& matrix, Outcome& outcome);

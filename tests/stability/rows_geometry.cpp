@@ -1,5 +1,6 @@
 // Rows G1 to G17: normals and triangles.
 // SPDX-License-Identifier: MIT
+#include "stability/gouraud.hpp"
 #include "stability/peers.hpp"
 #include "stability/rows.hpp"
 #include "stability/sphere.hpp"
@@ -195,22 +196,8 @@ std::vector<Row> cosineRows() {
          Kind::shading,
          {grazing(sun({1, 0, -1e-8})), grazing({Lamp::bulb, {1, 0, -1e-8}, 1, 2, 0, glm::dvec3(1)})}},
         {"G14", "cancelling dot product", "n . (P - Q) = 2.8e-8", Kind::shading, {cancelling()}},
-        {"G15",
-         "terminator, per vertex",
-         "64 segments",
-         Kind::later,
-         {},
-         {},
-         {},
-         "with the issue that adds per-vertex shading"},
-        {"G16",
-         "near light on a sphere",
-         "1.05 R, 32 segments",
-         Kind::shading,
-         {},
-         {},
-         nearSphere,
-         "per vertex: with the issue that adds per-vertex shading"},
+        {"G15", "terminator, per vertex", "64 segments", Kind::shading, {}, {}, terminator},
+        {"G16", "near light on a sphere", "1.05 R, 32 segments", Kind::shading, {}, {}, nearSphere},
         {"G17",
          "incremental rotation",
          "10^6 turns",

@@ -70,6 +70,7 @@ struct Setup {
     Bound bound{};
     std::optional<Gloss> gloss{};  ///< none: the plane is matt
     bool perVertex = false;  ///< Shading::vertex
+    bool jumps = false;  ///< the truth jumps here: rounding in view space may fall to the other side
     std::optional<double> expected{};  ///< of `channel`; none: only what the reference says
     int channel = 0;  ///< the one that is shown; the others are judged all the same
     /// Not empty: the scene is refused, and the message holds these words.

@@ -17,7 +17,7 @@ void requireHighp(Outcome& outcome) {
     variant.terms = lighting::TermSet::all().bits();
     variant.lit = variant.ambient = variant.window = variant.scaled = variant.countNonfinite = true;
     variant.directional = variant.decay0 = variant.decay1 = variant.decay2 = variant.decayOther = 1;
-    for (const std::string file : {"mesh.vert", "mesh.frag", "unlit.frag"})
+    for (const std::string file : {"mesh.vert", "mesh.frag", "gouraud.vert", "gouraud.frag", "unlit.frag"})
         for (const bool texture : {false, true}) {
             const bool fragment = file.ends_with(".frag");
             const std::string text = render::readShader(render::findShaderDirectory(""), file,

@@ -6,7 +6,7 @@
 
 namespace stability {
 
-/// Every variant of mesh.vert and mesh.frag declares highp float and int as its default, and nothing mediump or lowp.
+/// Every shader, in its largest variant, declares highp float and int as its default, and nothing mediump or lowp.
 void requireHighp(Outcome& outcome);
 
 /// Draws a plan in floats with a mesh.frag that shows another expression than the equation's result, in GLSL. Needs the

@@ -3,6 +3,7 @@
 #include "stability/sphere.hpp"
 
 #include "lighting/reference/reference.hpp"
+#include "stability/gouraud.hpp"
 #include "stability/shader_text.hpp"
 #include "support/strict_glsl.hpp"
 
@@ -99,8 +100,14 @@ void nearSphere(Outcome& outcome) {
     outcome.expected = "true sphere";
     outcome.bound = "41 codes, 16 u S";
     outcome.twin = outcome.gl = number(static_cast<double>(codes)) + " codes";
-    outcome.error = units;
-    outcome.naive = outcome.legacy = outcome.physical = {"per vertex: later", Peer::none};
+    const PerVertex vertices = perVertex(s.scene, s.camera, s.options, outcome);
+    requireAsReference(vertices, outcome);
+    for (const double off : {vertices.fromFragments, vertices.twin})
+        require(outcome, off > 100 && off <= 225.5,
+                "per vertex, off from the frame per fragment by " + number(off) + " codes");
+    outcome.naive = {"per vertex: " + number(vertices.fromFragments) + " codes", Peer::wrong};
+    outcome.legacy = outcome.physical = {"per fragment, too", Peer::none};
+    outcome.error = std::max(units, vertices.units);
     require(outcome, brightest > 0.9L, "the picture misses the peak");
     require(outcome, codes <= 41,
             "off from the true sphere by " + number(static_cast<double>(codes)) + " codes");

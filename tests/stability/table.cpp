@@ -14,10 +14,6 @@ Line line(const Row& row, const Outcome& outcome) {
     for (Cell& cell : cells)
         if (cell.text.empty())
             cell.text = "-";
-    if (row.kind == Kind::later) {
-        cells[verdict] = {row.waitsFor};
-        return cells;
-    }
     const auto put = [&cells](Column column, const std::string& text, Peer::Verdict as) {
         if (!text.empty())
             cells[column] = {text, as};
@@ -33,15 +29,13 @@ Line line(const Row& row, const Outcome& outcome) {
     if (outcome.error >= 0)
         put(error, outcome.error > 0 && outcome.error < 0.01 ? "< 0.01" : number(outcome.error), Peer::none);
     put(verdict, own == Peer::ok ? "ok" : "FAILS", own);
-    if (row.waitsFor != nullptr)
-        cells[verdict].text += std::string("; ") + row.waitsFor;
     return cells;
 }
 
 std::vector<Line> tableLines() {
     std::vector<Line> lines;
     for (const Row& row : rows())
-        lines.push_back(line(row, row.kind == Kind::later ? Outcome{} : run(row)));
+        lines.push_back(line(row, run(row)));
     return lines;
 }
 
@@ -64,14 +58,16 @@ std::string markdown(const std::vector<Line>& lines) {
 # How lighting goes wrong in floats, and what the lab does about it
 
 Every row is a test (`tests/stability/`). It runs on the CPU in strict IEEE float, on the text of the shaders themselves, and on
-the graphics driver, into 32-bit floats; both are judged by the same equation in `long double`. *Naive GLSL* normalises wherever
-a unit vector is wanted and calls `pow`; *three.js* is its formula (r146) with the lights of then (legacy) and with the physical
-ones, 1 / max(d^k, 0.01), without their factor pi; all three in strict IEEE float, with `max` and `clamp` as GLSL defines them, so
-that NaN shows as NaN: a driver may hide it.
+the graphics driver, into 32-bit floats, each time in world and in view space; all are judged by the same equation in
+`long double`. *Naive GLSL* normalises wherever a unit vector is wanted and calls `pow`; *three.js* is its formula (r146) with
+the lights of then (legacy) and with the physical ones, 1 / max(d^k, 0.01), without their factor pi; all three in strict IEEE
+float, with `max` and `clamp` as GLSL defines them, so that NaN shows as NaN: a driver may hide it. three.js knows neither
+Phong's R nor lighting per vertex: there its columns are empty.
 
 **Bold**: NaN or infinite. *(wrong)*: off by more than one code of a picture that shows the right answer, or, where the right
-answer is a refusal, taken without a word. u = 2^-24; S is the pixel's sum with every cosine taken as 1; A = 16/255 is the ambient
-light of every row that does not say otherwise. The error is the worst of all that the row measures, on the CPU and on the driver.
+answer is a refusal, taken without a word. u = 2^-24; S is the pixel's sum with every cosine and power taken as 1; A = 16/255 is
+the ambient light of every row that does not say otherwise. The error is the worst of all that the row measures, on the CPU and
+on the driver.
 
 ![The same table in colours](pictures/stability.png)
 

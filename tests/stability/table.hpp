@@ -42,7 +42,7 @@ using Line = std::array<Cell, columns>;
 
 /// Runs all rows.
 std::vector<Line> tableLines();
-/// A row's line; `outcome` counts only where the row runs.
+/// A row's line.
 Line line(const Row& row, const Outcome& outcome);
 
 /// The whole page; its first line says which command makes it.

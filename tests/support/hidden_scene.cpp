@@ -130,7 +130,7 @@ void addLight(THREE::Scene& scene, std::unique_ptr<L> light, const THREE::Color&
 // From behind: it reaches little of what is seen, but a highlight on the unlit side shows at grazing angles.
 void addBackLight(THREE::Scene& scene, Dice& dice, const View& view) {
     const THREE::Color color = dice.tint();
-    const double strength = dice.between(1.6, 2), x = dice.either(0.3, 0.6), y = dice.either(0.3, 0.6);
+    const double strength = dice.between(1.6, 2), x = dice.either(0.2, 0.4), y = dice.either(0.2, 0.4);
     addLight(scene, std::make_unique<THREE::DirectionalLight>(), color, strength, view.along(x, y, -2.5));
 }
 
@@ -161,8 +161,8 @@ THREE::LoadedScene hiddenScene(std::uint64_t seed, Finish finish) {
     const double x[] = {0.3, dice.between(-1.3, -1), dice.between(1, 1.3)};
     const double y[] = {dice.between(0.8, 1), dice.between(-1.3, -0.9), dice.between(-1.4, -1.1)};
     const Vector3 place = view.at(x[1], y[1], dice.between(-0.2, 0.4));
-    const auto knotMaterial = makeMaterial(dice, finish, 9), sphereMaterial = makeMaterial(dice, finish, 5),
-               boxMaterial = makeMaterial(dice, finish, 7);
+    const auto knotMaterial = makeMaterial(dice, finish, 8), sphereMaterial = makeMaterial(dice, finish, 4),
+               boxMaterial = makeMaterial(dice, finish, 6);
     boxMaterial->emissive = 0x000A14;
     addMesh(scene, dice, view.at(x[0], y[0], 0), std::make_shared<THREE::TorusKnotGeometry>(0.8, 0.3, 96, 16),
             knotMaterial);
@@ -170,9 +170,9 @@ THREE::LoadedScene hiddenScene(std::uint64_t seed, Finish finish) {
         scene, dice, place, std::make_shared<THREE::SphereGeometry>(sphereRadius, 7, 5), sphereMaterial);
     addMesh(scene, dice, view.at(x[2], y[2], 0), std::make_shared<THREE::BoxGeometry>(1.2, 1.2, 1.2),
             boxMaterial);
+    addLights(scene, dice, view, sphere);
     if (finish == Finish::shiny)
         addBackLight(scene, dice, view);
-    addLights(scene, dice, view, sphere);
     return hidden;
 }
 

@@ -121,12 +121,11 @@ class Equation {
     Vec3<T> ambient(const Vec3<T>& D) const {
         return terms.has(Term::ambient) ? D * ambientLight : Vec3<T>(T(0));
     }
-    /// The highlight: towards the eye, at the origin, from where light of direction w is mirrored. 0 where n . w <= 0,
-    /// and where the point is the eye itself.
+    /// The highlight: towards the eye, at the origin, from where light of direction w is mirrored. 0 where n . w <= 0.
     static Vec3<T> highlight(const Lit<T>& at, const Vec3<T>& w) {
         using std::pow;
         const T c = glm::dot(at.n, w);
-        if (at.gloss.specular == Vec3<T>(T(0)) || !(c > T(0)) || at.Q == Vec3<T>(T(0)))
+        if (at.gloss.specular == Vec3<T>(T(0)) || !(c > T(0)))
             return Vec3<T>(T(0));
         const Vec3<T> v = direction(-at.Q);
         if (at.gloss.model == THREE::SpecularModel::blinn)
