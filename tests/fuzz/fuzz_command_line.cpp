@@ -42,7 +42,8 @@ void checkOptions(const lab::Options& options, bool file) {
     require(isNumber(options.time), "--time took no number");
     require(!options.decay || (isNumber(*options.decay) && *options.decay >= 0), "--decay took no exponent");
     require(options.frames >= 0 && options.frames <= 1'000'000, "--frames took a number out of range");
-    require(options.switches.terms.bits() >> lighting::termCount == 0, "--terms took a term that does not exist");
+    require(options.switches.terms.bits() >> lighting::termCount == 0,
+            "--terms took a term that does not exist");
     if (options.camera)
         checkCamera(*options.camera);
 }

@@ -95,8 +95,10 @@ int runStarter(const Inputs& inputs, const StarterRequest& request, const std::s
     try {
         const nuovo::LessonSet lessons = nuovo::readLessons(inputs.lessons);
         const nuovo::Lesson& lesson = nuovo::findStarter(lessons, request.lesson);
-        nuovo::writeFolder(nuovo::makeStarter(lesson, request.tasks, request.shaders, lang), request.directory);
-        std::cout << request.directory << ": " << lesson.stem << ", to be completed; begin with its README.md\n";
+        nuovo::writeFolder(nuovo::makeStarter(lesson, request.tasks, request.shaders, lang),
+                           request.directory);
+        std::cout << request.directory << ": " << lesson.stem
+                  << ", to be completed; begin with its README.md\n";
         return Done;
     } catch (const nuovo::NoStarter& error) {
         std::cerr << "nuovo: " << error.what() << '\n';
@@ -130,8 +132,10 @@ int run(int argc, char** argv) {
         app.add_subcommand("starter", "Write a lesson to be completed, with TODOs in place of its new lines");
     StarterRequest request;
     request.addOptions(*starter);
-    starter->add_option("--lessons", inputs.lessons, "Directory of the lessons' .cpp files")->capture_default_str();
-    starter->add_option("--lang", lang, "Language, by default the locale's")->check(CLI::IsMember({"it", "en"}));
+    starter->add_option("--lessons", inputs.lessons, "Directory of the lessons' .cpp files")
+        ->capture_default_str();
+    starter->add_option("--lang", lang, "Language, by default the locale's")
+        ->check(CLI::IsMember({"it", "en"}));
     CLI::App* const pictures = app.add_subcommand("pictures", "Print each picture's file and command");
     inputs.addOptions(*pictures);
     try {

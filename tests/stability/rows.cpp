@@ -38,8 +38,8 @@ void require(Outcome& outcome, bool good, const std::string& failure) {
 const std::vector<Row>& rows() {
     static const std::vector<Row> all = [] {
         std::vector<Row> list;
-        for (const auto& family :
-             {geometryRows, lightRows, attenuationRows, matrixRows, cameraRows, sumRows, frameRows, phongRows})
+        for (const auto& family : {geometryRows, lightRows, attenuationRows, matrixRows, cameraRows, sumRows,
+                                   frameRows, phongRows})
             for (Row& row : family())
                 list.push_back(std::move(row));
         return list;
