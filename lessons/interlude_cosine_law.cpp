@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     lab::Strokes barre, linea, ora;
     diagramma.bars(barre, 19, 0.065, conta);
     diagramma.curve(linea, 91, 0.018, [](double gradi) { return 50 * std::cos(gradi * lab::degree); });
-    linea.stick(diagramma.at(0, 0), diagramma.at(180, 0), 0.01);
+    linea.stick(diagramma.at(0, 0), diagramma.at(180, 0), 0.018);
     THREE::MeshBasicMaterial azzurro(0x88C0D0), bianco(0xFFFFFF);
     THREE::Mesh istogramma(barre, azzurro), coseno(linea, bianco), segno(ora, giallo);
     THREE::Group quadro;
@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
         const double gradi = alpha + 20 * t;
         const THREE::Vector3 n = lab::direction(gradi, 0);
         const int colpiti = conta(gradi);
-        colpi.clear().sticks(raggi.raysTo(superficie), 0.009).balls(raggi.pointsOn(superficie), 0.045);
-        mancati.clear().sticks(raggi.raysTo(pavimento), 0.007).sticks(raggi.raysTo(retro), 0.007);
+        colpi.clear().sticks(raggi.raysTo(superficie), 0.014).balls(raggi.pointsOn(superficie), 0.045);
+        mancati.clear().sticks(raggi.raysTo(pavimento), 0.013).sticks(raggi.raysTo(retro), 0.013);
         ora.clear().ball(diagramma.at(std::acos(n.dot(w)) / lab::degree, colpiti, 0.1), 0.09);
         app.show({"raggi che colpiscono il davanti", "rays that hit the front"}, colpiti);
         app.show({"raggi per unità di superficie", "rays per unit of area"}, colpiti / 4.0);

@@ -1,5 +1,5 @@
-// What the lessons' own frames are worth: which misconceptions of the catalogue they show, and that they accept what is right
-// in other words.
+// What the lessons' own frames are worth: which misconceptions of the catalogue they show, and that they accept what is
+// right in other words.
 // SPDX-License-Identifier: MIT
 #include "support/misconceptions.hpp"
 #include "support/program.hpp"
@@ -69,10 +69,10 @@ TEST_P(Shown, AllThatConcernsItButTheListed) {
     EXPECT_EQ(hidden, GetParam().neverShown);
 }
 
-// Only a turn is between object and world in lessons 02 to 06, no unequal scale, so the model matrix serves for normals (C3)
-// until 07 squashes the knot; the knot is so fine that its interpolated normals are as good as unit vectors (C8; and C9 while
-// nothing is scaled) until 08 brings a coarse ball; nothing is brighter than a screen can show (G5) before the lamps of 05.
-// Highlights as small as those of 09 cannot show what only large ones do, at grazing angles (H2, H3): hidden scenes have them.
+// Only a turn is between object and world in lessons 02 to 06, so the model matrix serves for normals (C3) until 07
+// squashes the knot. The knot is so fine that its interpolated normals are as good as unit vectors (C8; and C9 while
+// nothing is scaled) until 08 brings a coarse ball. Hardly anything is brighter than a screen can show (G5) before 05's
+// strong bulb. Highlights as small as 09's do not show what only wide ones do, at grazing angles (H2, H3).
 INSTANTIATE_TEST_SUITE_P(Lessons, Shown,
                          testing::Values(Lesson{2, "lesson_02_directional_light", {"C3", "C8", "C9"}},
                                          Lesson{3, "lesson_03_point_light", {"C3", "C8", "C9", "G5"}},
