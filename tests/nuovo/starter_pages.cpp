@@ -77,7 +77,7 @@ Without installing it, `LAB` stands for that of the folder of its sources, built
     cmake -S . -B build -DLambertLab_DIR=LAB/build
     cmake --build build
 
-## NewRun
+## Run
 
     build/@lesson@@shaders@
 
