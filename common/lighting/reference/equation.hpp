@@ -41,6 +41,8 @@ struct Gloss {
     Vec3<T> specular{T(0)};  ///< K_S
     T shininess{0};  ///< s
     THREE::SpecularModel model = THREE::SpecularModel::phong;
+
+    bool shines() const { return specular.x > T(0) || specular.y > T(0) || specular.z > T(0); }
 };
 
 /// The point that is lit: everything about it that the equation asks for.
@@ -125,7 +127,7 @@ class Equation {
     static Vec3<T> highlight(const Lit<T>& at, const Vec3<T>& w) {
         using std::pow;
         const T c = glm::dot(at.n, w);
-        if (at.gloss.specular == Vec3<T>(T(0)) || !(c > T(0)))
+        if (!at.gloss.shines() || !(c > T(0)))
             return Vec3<T>(T(0));
         const Vec3<T> v = direction(-at.Q);
         if (at.gloss.model == THREE::SpecularModel::blinn)
@@ -152,8 +154,12 @@ class Equation {
         const T c = cosine(at.n, w);
         const T clamped = clamp(c);
         const Vec3<T> L = lightColor(light);
-        const Vec3<T> shine = highlight(at, w);
-        return {light.source, w, d, c, clamped, f, L, shine, (clamped * f) * (at.D * L) + f * (shine * L)};
+        Addend<T> addend{light.source, w, d, c, clamped, f, L, Vec3<T>(T(0)), (clamped * f) * (at.D * L)};
+        if (at.gloss.shines()) {
+            addend.specular = highlight(at, w);
+            addend.value += f * (addend.specular * L);
+        }
+        return addend;
     }
 
     // v / |v|; zero for the zero vector
