@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/controls.hpp"
 
+#include "lab/number.hpp"
 #include "three/geometry_builder.hpp"
 
 #include <algorithm>
@@ -26,16 +27,6 @@ double stepOf(const Slider& slider) {
 // The multiple of a step. A fraction is divided by a whole number, so that it is the double nearest to its digits.
 double multiple(double count, double step) {
     return step < 1 ? count / std::round(1 / step) : count * std::round(step);
-}
-
-std::optional<double> number(std::string_view text) {
-    if (text.starts_with('+'))
-        text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
 }
 
 }  // namespace
@@ -78,7 +69,7 @@ std::string Controls::set(std::span<const std::string> assignments) {
                                          [&name](const Slider& s) { return s.name == name; });
         const std::optional<double> value = equals == std::string::npos
                                                 ? std::nullopt
-                                                : number(std::string_view(assignment).substr(equals + 1));
+                                                : quantity(std::string_view(assignment).substr(equals + 1));
         if (sliders_.empty())
             return "--set: found '" + assignment + "', but this program has no sliders; leave --set out";
         if (slider == sliders_.end() || !value || !(*value >= slider->min && *value <= slider->max))

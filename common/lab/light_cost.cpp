@@ -32,15 +32,18 @@ LightCost measureLights(View& view, render::Renderer& renderer, const lighting::
         renderer.renderOnly(view.scene(), view.camera(), view.settings(how), request);
         times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     };
-    std::vector<double> first;  // each kind once before, so that no shader is compiled in a time
-    draw(switches, first);
-    draw(dark, first);
-    for (int i = 0; i < frames; ++i) {
-        draw(switches, cost.with);
-        draw(dark, cost.without);
-        if (done)
-            done(i + 1);
-    }
+    // Frame after frame of a kind, as a still window draws them, after one that compiles its shader.
+    const auto drawAll = [&](const lighting::Switches& how, std::vector<double>& times) {
+        draw(how, times);
+        times.clear();
+        for (int i = 0; i < frames; ++i) {
+            draw(how, times);
+            if (done)
+                done(static_cast<int>(cost.with.size() + cost.without.size()) / 2);
+        }
+    };
+    drawAll(switches, cost.with);
+    drawAll(dark, cost.without);
     return cost;
 }
 

@@ -10,7 +10,7 @@
 
 namespace lab {
 
-/// Times of frames with all lights and without the directional and point ones, drawn in turns.
+/// Times of frames with all lights and of frames without the directional and point ones.
 struct LightCost {
     int lights = 0;  ///< directional and point ones that are computed
     std::vector<double> with, without;  ///< milliseconds each
@@ -19,7 +19,7 @@ struct LightCost {
     double each() const;
 };
 
-/// Draws `frames` frames of each kind at `time`. `done` is told how many are drawn.
+/// Draws `frames` frames of each kind at `time`, one kind after the other. `done` is told how many of `frames` are drawn.
 LightCost measureLights(View& view, render::Renderer& renderer, const lighting::Switches& switches,
                         double time, const render::FrameRequest& request, int frames,
                         const std::function<void(int)>& done = {});

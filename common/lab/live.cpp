@@ -14,6 +14,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <utility>
 
 namespace lab {
@@ -71,6 +72,13 @@ class Live {
         return reference_;
     }
 
+    // A frame as large as the window, in codes; none while it is minimised.
+    std::optional<render::FrameRequest> windowRequest() const {
+        render::FrameRequest request;
+        window_.framebufferSize(request.width, request.height);
+        return request.width < 1 || request.height < 1 ? std::nullopt : std::optional(request);
+    }
+
     const char* tell(const Text& text) const { return say(text, options_.language); }
 
     void handle(const Event& event) {
@@ -120,7 +128,7 @@ class Live {
             message_ =
                 std::string(row.symbol) + "  " + tell(row.meaning) +
                 (switches_.terms.has(row.term) ? tell({": acceso", ": on"}) : tell({": spento", ": off"}));
-            std::cout << equationText(switches_.terms, view_.plan(switches_).shiny) << std::endl;
+            std::cout << equationText(switches_.terms, renderer().stats().shiny) << std::endl;
         } else if (switchKey(key)) {
             return;
         } else if (key == 'K') {
@@ -171,12 +179,10 @@ class Live {
     }
 
     void tellLightCost() {
-        int width = 0, height = 0;
-        window_.framebufferSize(width, height);
-        if (width < 1 || height < 1)
+        const std::optional<render::FrameRequest> request = windowRequest();
+        if (!request)
             return;
-        const LightCost cost =
-            measureLights(view_, renderer(), switches_, time_, {width, height, false}, framesForCost);
+        const LightCost cost = measureLights(view_, renderer(), switches_, time_, *request, framesForCost);
         message_ = std::to_string(cost.lights) + tell({" luci: ", " lights: "}) +
                    valueText(median(cost.with)) + tell({" ms; senza: ", " ms; without: "}) +
                    valueText(median(cost.without)) + tell({" ms; ogni luce: ", " ms; each light: "}) +
@@ -186,15 +192,15 @@ class Live {
 
     // <lesson>.png, or with the first number that is free: no picture is ever overwritten from the window.
     void writePictureBeside() {
-        int width = 0, height = 0;
-        window_.framebufferSize(width, height);
-        if (width < 1 || height < 1)
+        const std::optional<render::FrameRequest> request = windowRequest();
+        if (!request)
             return;
         try {
             std::string path = options_.lesson + ".png";
             for (int number = 1; std::filesystem::exists(path); ++number)
                 path = options_.lesson + "-" + std::to_string(number) + ".png";
-            writePicture(view_, renderer(), path, time_, switches_, width, height, options_);
+            writePicture(view_, renderer(), path, time_, switches_, request->width, request->height,
+                         options_);
             message_ = tell({"scritta: ", "written: "}) + path;
             std::cout << message_ << std::endl;
         } catch (const std::exception& error) {  // the lecture goes on
@@ -204,17 +210,17 @@ class Live {
     }
 
     void draw() {
-        int width = 0, height = 0;
-        window_.framebufferSize(width, height);
-        minimised_ = width < 1 || height < 1;
+        const std::optional<render::FrameRequest> request = windowRequest();
+        minimised_ = !request;
         if (minimised_)
             return;
-        view_.update(time_, width, height);
+        view_.update(time_, request->width, request->height);
         if (options_.renderer == RendererKind::gl)
-            renderer_.drawToWindow(view_.plan(switches_), view_.settings(switches_), width, height);
+            renderer_.drawToWindow(view_.plan(switches_), view_.settings(switches_), request->width,
+                                   request->height);
         else
-            renderer_.showInWindow(reference_.render(view_.scene(), view_.camera(), view_.settings(switches_),
-                                                     {width, height, false}));
+            renderer_.showInWindow(
+                reference_.render(view_.scene(), view_.camera(), view_.settings(switches_), *request));
         window_.show(panel());
     }
 

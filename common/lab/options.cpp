@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "lab/options.hpp"
 
+#include "lab/number.hpp"
 #include "lab/switches.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -20,18 +20,8 @@ namespace {
 
 constexpr int largestSize = 8192;
 
-// All of `text` as a number, or nothing.
-template <class T>
-std::optional<T> number(std::string_view text) {
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
-
 double finite(const std::string& option, const std::string& text) {
-    const std::optional<double> value = number<double>(text.starts_with('+') ? text.substr(1) : text);
+    const std::optional<double> value = quantity(text);
     if (!value || !(std::abs(*value) <= 1e36))
         throw CLI::ValidationError(option, "expected a finite number, found '" + text + "'");
     return *value;

@@ -39,11 +39,11 @@ bool wantsFloats(const std::string& path) {
 }
 
 image::Metadata metadata(const Options& options, const View& view, const lighting::Switches& switches,
-                         const std::string& renderer) {
+                         const render::Renderer& renderer) {
     image::Metadata all{{"lesson", options.lesson},
                         {"terms", switches.terms.text()},
-                        {"equation", equationText(switches.terms, view.plan(switches).shiny)},
-                        {"renderer", renderer},
+                        {"equation", equationText(switches.terms, renderer.stats().shiny)},
+                        {"renderer", renderer.name()},
                         {"version", LAMBERT_VERSION}};
     if (const std::string text = switchesText(switches); !text.empty())
         all.emplace_back("switches", text);
@@ -128,7 +128,7 @@ void writePicture(View& view, render::Renderer& renderer, const std::string& pat
     view.update(time, width, height);
     const image::Frame frame = renderer.render(view.scene(), view.camera(), view.settings(switches),
                                                {width, height, wantsFloats(path)});
-    image::write(path, frame, metadata(options, view, switches, renderer.name()));
+    image::write(path, frame, metadata(options, view, switches, renderer));
 }
 
 void runStills(View& view, const Options& options) {
@@ -156,7 +156,7 @@ void runStills(View& view, const Options& options) {
                        {}};
     render::FrameStats stats = renderer.stats();
     if (!options.frame.empty())
-        image::write(options.frame, frame, metadata(options, view, options.switches, report.renderer));
+        image::write(options.frame, frame, metadata(options, view, options.switches, renderer));
     if (!options.frame.empty() && !options.stats)
         tellReadings(view.controls(), options.language);
     if (options.frames > 0) {

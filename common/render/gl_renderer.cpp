@@ -115,6 +115,7 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
     stats_.lightsUsed = plan.lightsUsed;
     stats_.lightsSkipped = plan.lightsSkipped;
     stats_.skipped = plan.skipped;
+    stats_.shiny = plan.shiny;
     glViewport(0, 0, width, height);
     glEnable(GL_DEPTH_TEST);  // a panel drawn over the last frame may have changed it
     glDepthMask(GL_TRUE);

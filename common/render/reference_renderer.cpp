@@ -29,8 +29,10 @@ image::Frame ReferenceRenderer::render(const THREE::Scene& scene, const THREE::P
     reference.draw(store, progress_);
 
     stats_ = FrameStats{};
-    for (const auto& body : reference.bodies())
+    for (const auto& body : reference.bodies()) {
         stats_.triangles += static_cast<long long>(body.triangles());
+        stats_.shiny |= body.gloss.shines();
+    }
     stats_.meshesDrawn = static_cast<int>(reference.bodies().size());
     const auto& equation = reference.equation();
     stats_.lightsUsed = equation.ambientLights +

@@ -23,6 +23,7 @@ struct FrameStats {
     int lightsUsed = 0;  ///< ambient ones included
     int lightsSkipped = 0;
     std::vector<lighting::Skipped> skipped;  ///< what and why
+    bool shiny = false;  ///< some material has a highlight
     std::set<lighting::Variant> variants;  ///< the shaders that drew; none where there are no shaders
     std::uint64_t uploadedBytes = 0;  ///< by this frame: vertices, indices, lights
     double compileMilliseconds = 0;  ///< since the renderer began

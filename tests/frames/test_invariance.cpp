@@ -51,10 +51,7 @@ struct Lecture {
 
 // Largest difference, in 8-bit codes.
 double codes(const support::Drawn& a, const support::Drawn& b) {
-    double worst = 0;
-    for (std::size_t i = 0; i < a.floats().size(); ++i)
-        worst = std::max(worst, std::abs(static_cast<double>(a.floats()[i]) - b.floats()[i]) * 255);
-    return worst;
+    return support::largestDifference(a, b) * 255;
 }
 
 // The share of values that differ by more than `bound` codes: where an edge falls on another pixel.

@@ -170,13 +170,9 @@ TEST(VertexShading, OfAFineMeshIsAlmostPerPixelAndOfACoarseOneIsNot) {
         knot.position = stage.knot.position;
         stage.all.add(knot);
         stage.place();
-        const image::Floats pixel = support::draw(stage.scene, stage.camera, stage.options).floats();
+        const Drawn pixel = support::draw(stage.scene, stage.camera, stage.options);
         stage.options.settings.shading = Shading::vertex;
-        const image::Floats vertex = support::draw(stage.scene, stage.camera, stage.options).floats();
-        double worst = 0;
-        for (std::size_t i = 0; i < pixel.size(); ++i)
-            worst = std::max(worst, std::abs(static_cast<double>(pixel[i]) - vertex[i]));
-        return worst;
+        return support::largestDifference(pixel, support::draw(stage.scene, stage.camera, stage.options));
     };
     EXPECT_LT(difference(800, 128), 0.02);
     EXPECT_GT(difference(40, 6), 0.1);
@@ -222,12 +218,10 @@ TEST(ViewSpace, IsTheSamePicture) {
             stage.camera.scale.setScalar(3);  // a camera's size is no matter of light
             stage.options.settings.shading = shading;
             stage.place();
-            const image::Floats world = support::draw(stage.scene, stage.camera, stage.options).floats();
+            const Drawn world = support::draw(stage.scene, stage.camera, stage.options);
             stage.options.settings.space = Space::view;
-            const image::Floats view = support::draw(stage.scene, stage.camera, stage.options).floats();
-            double worst = 0;
-            for (std::size_t i = 0; i < world.size(); ++i)
-                worst = std::max(worst, std::abs(static_cast<double>(world[i]) - view[i]));
+            const double worst =
+                support::largestDifference(world, support::draw(stage.scene, stage.camera, stage.options));
             EXPECT_LT(worst, 4.2e-5) << "offset " << offset;  // measured 1.04e-5
             std::cout << "world and view space, offset " << offset << ": worst " << worst << '\n';
         }
@@ -238,13 +232,9 @@ TEST(ModelMatrixForNormals, IsRightForRotationsEqualScalesAndMirrorsOnly) {
         Stage stage;
         stage.knot.scale = scale;
         stage.place();
-        const image::Floats right = support::draw(stage.scene, stage.camera, stage.options).floats();
+        const Drawn right = support::draw(stage.scene, stage.camera, stage.options);
         stage.options.settings.normals = NormalTransform::model;
-        const image::Floats wrong = support::draw(stage.scene, stage.camera, stage.options).floats();
-        double most = 0;
-        for (std::size_t i = 0; i < right.size(); ++i)
-            most = std::max(most, std::abs(static_cast<double>(right[i]) - wrong[i]));
-        return most;
+        return support::largestDifference(right, support::draw(stage.scene, stage.camera, stage.options));
     };
     // The two normals are rounded differently: measured 7.0e-6 where a triangle is seen almost edge-on.
     EXPECT_LT(worst({1, 1, 1}), 2.8e-5);

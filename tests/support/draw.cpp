@@ -7,6 +7,8 @@
 #include "three/object_loader.hpp"
 #include "three/validate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace support {
@@ -14,6 +16,13 @@ namespace support {
 glm::vec3 Drawn::at(int x, int y) const {
     const auto first = static_cast<std::size_t>((y * frame.width + x) * 3);
     return {floats()[first], floats()[first + 1], floats()[first + 2]};
+}
+
+double largestDifference(const Drawn& a, const Drawn& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.floats().size(); ++i)
+        largest = std::max(largest, std::abs(static_cast<double>(a.floats()[i]) - b.floats()[i]));
+    return largest;
 }
 
 render::GlRenderer& renderer() {

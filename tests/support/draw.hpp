@@ -32,6 +32,9 @@ struct Drawn {
 /// counted for NaN and infinity, and drawn again from the scene's JSON: a test fails if there are any, or if it differs.
 Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options = {});
 
+/// The largest difference of any value of two float frames of one size.
+double largestDifference(const Drawn& a, const Drawn& b);
+
 /// The renderer, and the one context, that draw() uses.
 render::GlRenderer& renderer();
 
