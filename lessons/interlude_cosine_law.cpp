@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
         const double gradi = alpha + 20 * t;
         const THREE::Vector3 n = lab::direction(gradi, 0);
         const int colpiti = conta(gradi);
-        colpi.clear().sticks(raggi.raysTo(superficie), 0.014).balls(raggi.pointsOn(superficie), 0.045);
-        mancati.clear().sticks(raggi.raysTo(pavimento), 0.013).sticks(raggi.raysTo(retro), 0.013);
+        colpi.clear().sticks(raggi.raysTo(superficie), 0.013).balls(raggi.pointsOn(superficie), 0.045);
+        mancati.clear().sticks(raggi.raysTo(pavimento), 0.012).sticks(raggi.raysTo(retro), 0.012);
         ora.clear().ball(diagramma.at(std::acos(n.dot(w)) / lab::degree, colpiti, 0.1), 0.09);
         app.show({"raggi che colpiscono il davanti", "rays that hit the front"}, colpiti);
         app.show({"raggi per unità di superficie", "rays per unit of area"}, colpiti / 4.0);
