@@ -89,7 +89,9 @@ bool needsScaling(const FramePlan& plan, const Draw& draw, const THREE::Box3& bo
                                                : std::min(std::exp2(-light.decay * d.nearest), largestFactor);
         strongest += std::max(largest(light.color), light.intensity) * factor;
     }
-    const double highlight = largest(draw.specular) * std::max(1.0, (draw.shininess + 2) / 8);
+    const double fresnel =
+        draw.variant.blinn ? std::max(largest(draw.specular), 1.0) : largest(draw.specular);
+    const double highlight = fresnel * std::max(1.0, (draw.shininess + 2) / 8);
     return !((std::max(largest(draw.albedo), 1.0) + highlight) * strongest + largest(draw.emitted) <=
              largestSum);
 }

@@ -243,7 +243,8 @@ class Planner {
             draw.specular = toVec(phong->specular);
             draw.shininess = blinn ? std::max(phong->shininess, 1e-4) : phong->shininess;  // as three.js does
         }
-        const bool shiny = !isZero(draw.specular);
+        // Blinn's Fresnel factor lets even a black K_S shine at grazing angles.
+        const bool shiny = draw.variant.blinn || !isZero(draw.specular);
         if (settings_.skip && !shiny)
             draw.variant.terms &= ~TermSet::none().with(Term::specular).bits();
         // Beyond 2^40 near positions interpolate badly; the direction to the eye needs squares that fit as well.

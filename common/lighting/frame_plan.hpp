@@ -73,7 +73,7 @@ struct Draw {
     glm::dmat4 clip;  ///< object space to clip space
     glm::dvec3 albedo;  ///< D, or the pixel's colour for an unlit material
     glm::dvec3 emitted;  ///< added after the sum
-    glm::dvec3 specular{0};  ///< K_S; 0 for materials that do not shine
+    glm::dvec3 specular{0};  ///< K_S; 0 and not Variant::blinn for materials that do not shine
     double shininess = 0;  ///< s
     bool flat = false;  ///< one normal per triangle
     Variant variant;

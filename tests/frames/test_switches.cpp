@@ -78,6 +78,24 @@ TEST(Highlight, OfThreeJsIsItsOwnFormula) {
     }
 }
 
+// three.js's Fresnel factor goes to 1 at grazing angles whatever K_S is; skipped or not, the same bytes.
+TEST(Highlight, OfThreeJsShinesAtGrazingAnglesEvenIfBlack) {
+    Square square;
+    square.material.specular.set(0x000000);
+    square.material.specularModel = SpecularModel::blinn;
+    square.material.shininess = 1;
+    square.sun.position.set(1, 0, 0.3);
+    square.expect(1e-7, [&](const glm::dvec3& Q) {
+        const glm::dvec3 h = glm::normalize(square.w() + Square::v(Q));
+        const double vh = glm::dot(Square::v(Q), h);
+        return square.L * (std::exp2((-5.55473 * vh - 6.98316) * vh) * square.w().z * 3 / 8 * h.z);
+    });
+    const Drawn skipped = support::draw(square.scene, square.camera, square.options);
+    EXPECT_GT(skipped.at(1, 32).r, 4e-5F) << "400 times the bound above";
+    square.options.settings.skip = false;
+    EXPECT_EQ(support::draw(square.scene, square.camera, square.options).floats(), skipped.floats());
+}
+
 TEST(Highlight, IsZeroWhereTheLightIsBehindOrItsTermIsOff) {
     Square square;
     square.sun.position.z = -0.001;

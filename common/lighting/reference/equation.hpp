@@ -35,14 +35,18 @@ struct Light {
     T distance;  ///< where three.js's window reaches 0, world units; 0: no window
 };
 
-/// The highlight of a material: none where K_S is black. THREE::MeshPhongMaterial says what the members mean.
+/// The highlight of a material. THREE::MeshPhongMaterial says what the members mean.
 template <class T>
 struct Gloss {
     Vec3<T> specular{T(0)};  ///< K_S
     T shininess{0};  ///< s
     THREE::SpecularModel model = THREE::SpecularModel::phong;
 
-    bool shines() const { return specular.x > T(0) || specular.y > T(0) || specular.z > T(0); }
+    /// three.js's model shines at grazing angles even where K_S is black: its Fresnel factor goes to 1.
+    bool shines() const {
+        return model == THREE::SpecularModel::blinn || specular.x > T(0) || specular.y > T(0) ||
+               specular.z > T(0);
+    }
 };
 
 /// The point that is lit: everything about it that the equation asks for.
