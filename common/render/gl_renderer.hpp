@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/gpu_clusters.hpp"
 #include "render/gpu_geometry.hpp"
 #include "render/gpu_lights.hpp"
 #include "render/program.hpp"
@@ -46,6 +47,7 @@ class GlRenderer final : public Renderer {
     Programs programs_;
     GpuGeometries geometries_;
     GpuLights lights_;
+    GpuClusters clusters_;
     std::unique_ptr<RenderTarget> target_;
     GLuint shown_ = 0;  // texture of showInWindow
     FrameStats stats_;

@@ -13,6 +13,21 @@ namespace render {
 namespace {
 
 constexpr int mostUniformLights = 256;
+constexpr std::size_t mostPrograms = 256;
+
+// The numbers that are compiled into a program: of each light a 1 if it moves, or a 0 and what it is.
+std::vector<float> constantsOf(const lighting::Variant& variant, const LightNumbers& lights) {
+    std::vector<float> out;
+    if (variant.storage != lighting::LightStorage::constants)
+        return out;
+    for (std::size_t i = 0; i < lights.count(); ++i) {
+        out.push_back(lights.moves[i] ? 1.0F : 0.0F);
+        if (!lights.moves[i])
+            for (const glm::vec4& v : {lights.geometry[i], lights.radiance[i], lights.falloff[i]})
+                out.insert(out.end(), &v.x, &v.x + 4);
+    }
+    return out;
+}
 
 }  // namespace
 
@@ -28,15 +43,28 @@ Programs::~Programs() {
         glDeleteProgram(program.id);
 }
 
-Program& Programs::get(const lighting::Variant& variant) {
-    const auto known = programs_.find(variant);
-    if (known != programs_.end())
-        return known->second;
-    const auto start = std::chrono::steady_clock::now();
-    Program& program = programs_.emplace(variant, build(variant)).first->second;
-    milliseconds_ +=
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return program;
+Program& Programs::get(const lighting::Variant& variant, const LightNumbers& lights) {
+    const Key key{variant, constantsOf(variant, lights)};
+    auto known = programs_.find(key);
+    if (known == programs_.end()) {
+        const auto start = std::chrono::steady_clock::now();
+        known = programs_.emplace(key, build(variant, lights)).first;
+        milliseconds_ +=
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+    known->second.lastUsed = ++calls_;
+    if (programs_.size() > mostPrograms)
+        forgetOldest();
+    return known->second;
+}
+
+// Lights that were moved by hand leave a program behind wherever they stood.
+void Programs::forgetOldest() {
+    const auto oldest =
+        std::min_element(programs_.begin(), programs_.end(),
+                         [](const auto& a, const auto& b) { return a.second.lastUsed < b.second.lastUsed; });
+    glDeleteProgram(oldest->second.id);
+    programs_.erase(oldest);
 }
 
 GLuint Programs::compile(GLenum stage, const std::string& file, const std::string& preamble) const {
@@ -60,13 +88,16 @@ GLuint Programs::compile(GLenum stage, const std::string& file, const std::strin
                       "Correct the file and try again; --dump-shader writes the whole variant.");
 }
 
-Program Programs::build(const lighting::Variant& variant) {
-    const bool texture = variant.directional + variant.point() > uniformLights_;
+Program Programs::build(const lighting::Variant& wanted, const LightNumbers& lights) {
+    lighting::Variant variant = wanted;
+    if (variant.storage == lighting::LightStorage::uniforms &&
+        variant.directional + variant.point() > uniformLights_)
+        variant.storage = lighting::LightStorage::texture;  // this driver has few uniforms
     const ShaderFiles files = shaderFiles(variant);
-    const GLuint vertex = compile(GL_VERTEX_SHADER, files.vertex, preamble(variant, false, texture));
+    const GLuint vertex = compile(GL_VERTEX_SHADER, files.vertex, preamble(variant, lights, false));
     GLuint fragment = 0;
     try {
-        fragment = compile(GL_FRAGMENT_SHADER, files.fragment, preamble(variant, true, texture));
+        fragment = compile(GL_FRAGMENT_SHADER, files.fragment, preamble(variant, lights, true));
     } catch (...) {
         glDeleteShader(vertex);
         throw;
@@ -103,6 +134,11 @@ Program Programs::build(const lighting::Variant& variant) {
     locate(program.lightRadiance, "lightRadiance");
     locate(program.lightFalloff, "lightFalloff");
     locate(program.lightData, "lightData");
+    locate(program.clusterBegins, "clusterBegins");
+    locate(program.clusterLights, "clusterLights");
+    locate(program.clusterGrid, "clusterGrid");
+    locate(program.clusterScale, "clusterScale");
+    program.constants = variant.storage == lighting::LightStorage::constants;
     return program;
 }
 
@@ -113,10 +149,12 @@ ShaderFiles shaderFiles(const lighting::Variant& variant) {
                              : ShaderFiles{"mesh.vert", "mesh.frag"};
 }
 
-std::string dumpShaders(const std::string& directory, const lighting::Variant& variant) {
-    const bool texture = variant.directional + variant.point() > mostUniformLights;
+std::string dumpShaders(const std::string& directory, const lighting::FramePlan& plan,
+                        const lighting::Draw& draw) {
+    const lighting::Variant& variant = draw.variant;
+    const LightNumbers lights = pick(numbersOf(plan), plan, plan.lightSets[draw.lights]);
     const auto part = [&](const std::string& file, bool fragment) {
-        const ShaderSource source = readShader(directory, file, preamble(variant, fragment, texture));
+        const ShaderSource source = readShader(directory, file, preamble(variant, lights, fragment));
         return "// ==== " + file + "\n" + source.text + "\n";
     };
     const ShaderFiles files = shaderFiles(variant);
