@@ -18,7 +18,8 @@ constexpr std::size_t mostLights =
 
 }  // namespace
 
-GlRenderer::GlRenderer(std::string shaderDirectory) : programs_(std::move(shaderDirectory)) {
+GlRenderer::GlRenderer(std::string shaderDirectory, Compile when)
+    : programs_(std::move(shaderDirectory), when) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_DITHER);  // a code is the equation's value rounded, nothing else

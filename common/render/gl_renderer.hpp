@@ -16,7 +16,8 @@ namespace render {
 /// Draws with the context that is current when it is made and whenever it is used.
 class GlRenderer final : public Renderer {
   public:
-    explicit GlRenderer(std::string shaderDirectory);
+    /// Compile::aside is for windows: no frame waits for a program that another one can stand in for.
+    explicit GlRenderer(std::string shaderDirectory, Compile when = Compile::atOnce);
     ~GlRenderer() override;
     GlRenderer(const GlRenderer&) = delete;
     GlRenderer& operator=(const GlRenderer&) = delete;
@@ -28,6 +29,9 @@ class GlRenderer final : public Renderer {
                     const lighting::Settings& settings, const FrameRequest& request) override;
     FrameStats stats() const override { return stats_; }
     std::string name() const override;
+
+    /// Waits until every program that is being compiled aside is ready.
+    void finishCompiling() { programs_.finish(); }
 
     /// Draws a plan instead of a scene; tests change plans by hand.
     image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,

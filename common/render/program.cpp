@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/program.hpp"
 
+#include "render/compile_aside.hpp"
 #include "render/error.hpp"
 #include "render/shader_source.hpp"
 
@@ -31,31 +32,78 @@ std::vector<float> constantsOf(const lighting::Variant& variant, const LightNumb
 
 }  // namespace
 
-Programs::Programs(std::string shaderDirectory) : directory_(std::move(shaderDirectory)) {
+Programs::Programs(std::string shaderDirectory, Compile when) : directory_(std::move(shaderDirectory)) {
     GLint fragment = 0, vertex = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_VECTORS, &fragment);  // at least 224
     glGetIntegerv(GL_MAX_VERTEX_UNIFORM_VECTORS, &vertex);  // at least 256
     uniformLights_ = std::min((std::min(fragment, vertex) - 24) / 3, mostUniformLights);
+    if (when == Compile::aside)
+        aside_ = std::make_unique<CompileAside>();
+    if (aside_ && !aside_->usable())
+        aside_.reset();
 }
 
 Programs::~Programs() {
-    for (const auto& [variant, program] : programs_)
+    aside_.reset();  // before the programs that it may still compile have nobody to go to
+    for (const auto& [key, program] : programs_)
         glDeleteProgram(program.id);
 }
 
 Program& Programs::get(const lighting::Variant& variant, const LightNumbers& lights) {
-    const Key key{variant, constantsOf(variant, lights)};
-    auto known = programs_.find(key);
-    if (known == programs_.end()) {
-        const auto start = std::chrono::steady_clock::now();
-        known = programs_.emplace(key, build(variant, lights)).first;
-        milliseconds_ +=
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (aside_)
+        collect(false);
+    const ProgramKey key{variant, constantsOf(variant, lights)};
+    const auto known = programs_.find(key);
+    Program* program = known == programs_.end() ? nullptr : &known->second;
+    if (aside_ && variant.storage == lighting::LightStorage::constants) {
+        ProgramKey general{variant, {}};
+        general.first.storage = lighting::LightStorage::uniforms;
+        const auto stand = programs_.find(general);
+        if (program == nullptr && stand != programs_.end()) {
+            buildAside(key, lights);
+            program = &stand->second;
+        } else if (stand == programs_.end()) {
+            buildAside(general, {});  // for when a light begins to move
+        }
     }
-    known->second.lastUsed = ++calls_;
+    if (program == nullptr && underWay_.contains(key)) {
+        collect(true);
+        program = &programs_.at(key);
+    }
+    if (program == nullptr)
+        program = &buildNow(key, lights);
+    program->lastUsed = ++calls_;
     if (programs_.size() > mostPrograms)
         forgetOldest();
-    return known->second;
+    return *program;
+}
+
+Program& Programs::buildNow(const ProgramKey& key, const LightNumbers& lights) {
+    const auto start = std::chrono::steady_clock::now();
+    Program& program = programs_.emplace(key, build(key.first, lights)).first->second;
+    milliseconds_ +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return program;
+}
+
+void Programs::buildAside(const ProgramKey& key, const LightNumbers& lights) {
+    if (underWay_.insert(key).second)
+        aside_->ask(key, [this, variant = key.first, lights] { return build(variant, lights); });
+}
+
+void Programs::collect(bool wait) {
+    for (CompileAside::Done& done : aside_->take(wait)) {
+        underWay_.erase(done.key);
+        if (done.error)
+            std::rethrow_exception(done.error);
+        if (!programs_.emplace(std::move(done.key), done.program).second)
+            glDeleteProgram(done.program.id);  // there is one by now
+    }
+}
+
+void Programs::finish() {
+    if (aside_)
+        collect(true);
 }
 
 // Lights that were moved by hand leave a program behind wherever they stood.
@@ -88,7 +136,7 @@ GLuint Programs::compile(GLenum stage, const std::string& file, const std::strin
                       "Correct the file and try again; --dump-shader writes the whole variant.");
 }
 
-Program Programs::build(const lighting::Variant& wanted, const LightNumbers& lights) {
+Program Programs::build(const lighting::Variant& wanted, const LightNumbers& lights) const {
     lighting::Variant variant = wanted;
     if (variant.storage == lighting::LightStorage::uniforms &&
         variant.directional + variant.point() > uniformLights_)

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,10 +43,23 @@ struct Program {
     std::uint64_t lastUsed = 0;  ///< counts calls of Programs::get
 };
 
+/// What tells programs apart: the variant, and the numbers of the lights that are compiled in.
+using ProgramKey = std::pair<lighting::Variant, std::vector<float>>;
+
+/// When a program that is missing is compiled.
+enum class Compile {
+    atOnce,  ///< the frame waits for it
+    aside  ///< frames go on with a program that does the same in another form, where there is one
+};
+
+class CompileAside;
+
 /// The programs of one context.
 class Programs {
   public:
-    explicit Programs(std::string shaderDirectory);
+    /// Compile::aside keeps for each variant whose lights are constants the same with lights as uniforms, and draws with that one
+    /// while the other is being compiled on a thread of its own.
+    Programs(std::string shaderDirectory, Compile when);
     ~Programs();
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
@@ -54,22 +69,26 @@ class Programs {
     Program& get(const lighting::Variant& variant, const LightNumbers& lights);
     /// More lights than this go into a texture: what the driver's uniforms hold, less some for everything else.
     int uniformLights() const { return uniformLights_; }
+    /// Waits for what is being compiled aside.
+    void finish();
     /// Time spent in get() on compiling and linking, milliseconds.
     double compileMilliseconds() const { return milliseconds_; }
 
   private:
-    /// What tells programs apart: the variant, and the numbers of the lights that are compiled in.
-    using Key = std::pair<lighting::Variant, std::vector<float>>;
-
-    Program build(const lighting::Variant& variant, const LightNumbers& lights);
+    Program build(const lighting::Variant& variant, const LightNumbers& lights) const;
+    Program& buildNow(const ProgramKey& key, const LightNumbers& lights);
+    void buildAside(const ProgramKey& key, const LightNumbers& lights);
+    void collect(bool wait);
     void forgetOldest();
     GLuint compile(GLenum stage, const std::string& file, const std::string& preamble) const;
 
     std::string directory_;
-    std::map<Key, Program> programs_;
+    std::map<ProgramKey, Program> programs_;
+    std::set<ProgramKey> underWay_;  // asked for aside
     std::uint64_t calls_ = 0;
     int uniformLights_ = 0;
     double milliseconds_ = 0;
+    std::unique_ptr<CompileAside> aside_;  // none: everything at once
 };
 
 /// The two shaders of a draw as they are compiled, one after the other under a comment line each (--dump-shader).
