@@ -9,6 +9,7 @@
 #include "render/gl_renderer.hpp"
 #include "render/reference_renderer.hpp"
 #include "render/shader_source.hpp"
+#include "three/validate.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -221,6 +222,7 @@ class Live {
         else
             renderer_.showInWindow(
                 reference_.render(view_.scene(), view_.camera(), view_.settings(switches_), *request));
+        drawn_ = renderer().stats();
         window_.show(panel());
     }
 
@@ -250,7 +252,29 @@ class Live {
             panel.rows.push_back({{tell(sliderHelp), Tone::plain}});
         if (view_.animated())
             panel.rows.push_back({{tell(animationHelp), Tone::plain}});
+        addSkipped(panel);
         return panel;
+    }
+
+    // What the last frame did without, and why; the first few by name.
+    void addSkipped(Panel& panel) const {
+        constexpr std::size_t named = 3;
+        const std::size_t count = drawn_.skipped.size();
+        if (count == 0 && drawn_.clusters == 0)
+            return;
+        panel.rows.emplace_back();
+        std::string text = tell({"tralasciati: ", "left out: "}) + std::to_string(count);
+        if (drawn_.clusters > 0)
+            text +=
+                tell({"; luci per parte dell'immagine: ", "; lights per part of the picture: "}) +
+                valueText(static_cast<double>(drawn_.clusterEntries) / static_cast<double>(drawn_.clusters));
+        panel.rows.push_back({{text, Tone::title}});
+        for (std::size_t i = 0; i < std::min(count, named); ++i)
+            panel.rows.push_back({{THREE::describe(*drawn_.skipped[i].object) + ": " +
+                                       drawn_.skipped[i].share + tell(drawn_.skipped[i].why),
+                                   Tone::idle}});
+        if (count > named)
+            panel.rows.push_back({{"...", Tone::idle}});
     }
 
     void addControls(Panel& panel) const {
@@ -302,6 +326,7 @@ class Live {
     const Options& options_;
     render::GlRenderer renderer_;
     render::ReferenceRenderer reference_;
+    render::FrameStats drawn_;  // of the last frame
     lighting::Switches switches_;
     double time_;
     std::size_t chosen_ = 0;  // the slider that the arrow keys move

@@ -122,6 +122,13 @@ void addNumbers(CLI::App& app, Options& options) {
                 throw CLI::ValidationError("--jitter",
                                            "expected a whole number from 0 on, found '" + value + "'");
         });
+    add("--light-cut", "CODICI: tralascia luce finché a nessun pixel ne mancano più di tanti codici a 8 bit",
+        "CODES: leaves out light as long as no pixel lacks more than so many 8-bit codes",
+        [&options](const std::string& value) {
+            options.lightCut = finite("--light-cut", value);
+            if (options.lightCut < 0 || options.lightCut > 255)
+                throw CLI::ValidationError("--light-cut", "expected 0 to 255, found '" + value + "'");
+        });
     app.add_option_function<std::vector<std::string>>(
            "--set", [&options](const std::vector<std::string>& all) { options.set = all; },
            text("NOME=VALORE: mette un cursore della lezione; un nome sbagliato li elenca",

@@ -43,6 +43,7 @@ struct Options {
     std::optional<CameraOption> camera;
     std::optional<std::uint64_t> jitter;
     bool skip = true;  ///< --no-skip turns it off
+    double lightCut = 0;  ///< --light-cut: what a pixel may lack, 8-bit codes; 0: nothing
     RendererKind renderer = RendererKind::gl;
     std::string shaders;  ///< --shaders, or empty
     int frames = 0;  ///< --frames: how many to time; 0: none

@@ -79,7 +79,7 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
         variantList += (variantList.empty() ? "" : "; ") + variant;
     Json skipped = Json::array();
     for (const lighting::Skipped& s : frame.skipped)
-        skipped.push_back({{"what", THREE::describe(*s.object)}, {"why", s.why}});
+        skipped.push_back({{"what", THREE::describe(*s.object)}, {"why", s.share + s.why.en}});
     std::vector<double> times = report.frameMilliseconds;
     std::sort(times.begin(), times.end());
     const std::size_t n = times.size();

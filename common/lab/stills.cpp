@@ -57,6 +57,15 @@ void tellReadings(const Controls& controls, Language language) {
         std::cout << say(reading.label, language) << ": " << valueText(reading.value) << '\n';
 }
 
+// What --light-cut promises: the only thing a frame may lack.
+void tellCut(const render::FrameStats& stats, const Options& options) {
+    std::cout << "--light-cut: "
+              << say({"a nessun pixel mancano più di ", "no pixel lacks more than "}, options.language)
+              << valueText(stats.cutCodes)
+              << say({" codici a 8 bit, prima dell'arrotondamento\n", " 8-bit codes, before rounding\n"},
+                     options.language);
+}
+
 void dumpShaders(const lighting::FramePlan& plan, const std::string& directory) {
     std::set<lighting::Variant> seen;
     for (const lighting::Draw& draw : plan.draws)
@@ -159,6 +168,8 @@ void runStills(View& view, const Options& options) {
         image::write(options.frame, frame, metadata(options, view, options.switches, renderer));
     if (!options.frame.empty() && !options.stats)
         tellReadings(view.controls(), options.language);
+    if (options.lightCut > 0 && !options.stats)
+        tellCut(stats, options);
     if (options.frames > 0) {
         Progress progress(options.frames);
         const LightCost cost = measureLights(view, renderer, options.switches, options.time, request,

@@ -109,6 +109,7 @@ lighting::Settings View::settings(const lighting::Switches& switches) const {
     lighting::Settings settings;
     static_cast<lighting::Switches&>(settings) = switches;
     settings.skip = options_.skip;
+    settings.lightCut = options_.lightCut;
     settings.focus = orbit_.target();
     settings.focusDistance = orbit_.distance();
     return settings;

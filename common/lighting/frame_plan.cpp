@@ -107,25 +107,25 @@ class Planner {
     }
 
   private:
-    void skipLight(const THREE::Light& light, const char* why) {
+    void skipLight(const THREE::Light& light, const Text& why) {
         plan_.skipped.push_back({&light, why});
         ++plan_.lightsSkipped;
     }
 
-    void skipMesh(const THREE::Mesh& mesh, const char* why) {
+    void skipMesh(const THREE::Mesh& mesh, const Text& why) {
         plan_.skipped.push_back({&mesh, why});
         ++plan_.meshesSkipped;
     }
 
-    // Why a light adds exactly nothing to any pixel; null if it may add something.
-    const char* whyDark(const THREE::Light& light, Term term) const {
+    // Why a light adds exactly nothing to any pixel; nulls if it may add something.
+    Text whyDark(const THREE::Light& light, Term term) const {
         if (light.intensity == 0)
-            return "its intensity is 0";
+            return Text{"la sua intensità è 0", "its intensity is 0"};
         // A black light still shines when light_color is off: white of the same intensity.
         if (isZero(toVec(light.radiance())) &&
             (term == Term::ambient || settings_.terms.has(Term::lightColor)))
-            return "its colour is black";
-        return settings_.terms.has(term) ? nullptr : "its term is off";
+            return Text{"il suo colore è nero", "its colour is black"};
+        return settings_.terms.has(term) ? Text{} : Text{"il suo termine è spento", "its term is off"};
     }
 
     void addLight(const THREE::Light& light) {
@@ -135,15 +135,15 @@ class Planner {
                                                                                       : Term::directional;
         plan_.lightColorMatters |=
             term != Term::ambient && light.intensity != 0 && color != glm::dvec3(light.intensity);
-        const char* const dark = whyDark(light, term);
-        if (settings_.skip && dark != nullptr)
+        const Text dark = whyDark(light, term);
+        if (settings_.skip && dark.en != nullptr)
             return skipLight(light, dark);
         ++plan_.lightsUsed;
         if (term == Term::ambient) {
-            plan_.ambient += dark == nullptr ? color : glm::dvec3(0);
+            plan_.ambient += dark.en == nullptr ? color : glm::dvec3(0);
             hasAmbient_ = true;
         } else {
-            addAddend(light, color, dark != nullptr);
+            addAddend(light, color, dark.en != nullptr);
         }
     }
 
@@ -177,9 +177,9 @@ class Planner {
         const THREE::BufferGeometry& geometry = *mesh.geometry;
         const THREE::Material& material = *mesh.material;
         if (!material.visible)
-            return skipMesh(mesh, "its material is not visible");
+            return skipMesh(mesh, {"il suo materiale non è visibile", "its material is not visible"});
         if (geometry.triangleCount() == 0)
-            return skipMesh(mesh, "it has no triangles");
+            return skipMesh(mesh, {"non ha triangoli", "it has no triangles"});
         Draw draw;
         draw.mesh = &mesh;
         const THREE::Sphere& sphere = geometry.boundingSphere();
@@ -193,9 +193,9 @@ class Planner {
         draw.mirrored = glm::determinant(glm::dmat3(mesh.matrixWorld.elements)) < 0;
         if (isZero(glm::dvec3(draw.model[0])) && isZero(glm::dvec3(draw.model[1])) &&
             isZero(glm::dvec3(draw.model[2])))
-            return skipMesh(mesh, "its scale is 0");
+            return skipMesh(mesh, {"la sua scala è 0", "its scale is 0"});
         if (!place(draw, sphere) && settings_.skip)
-            return skipMesh(mesh, "it is outside the camera's view");
+            return skipMesh(mesh, {"è fuori dalla vista della camera", "it is outside the camera's view"});
         if (settings_.space == Space::view) {
             draw.model = toLighting_ * draw.model;
             draw.normalMatrix = glm::dmat3(toLighting_) * draw.normalMatrix;
@@ -247,8 +247,9 @@ class Planner {
         draw.side = THREE::FrontSide;
         draw.variant.doubleSided = false;
         ++plan_.sidesSkipped;
-        plan_.skipped.push_back(
-            {draw.mesh, "its back faces are hidden: it is closed, and seen from outside"});
+        plan_.skipped.push_back({draw.mesh,
+                                 {"le sue facce posteriori sono nascoste: è chiusa, vista da fuori",
+                                  "its back faces are hidden: it is closed, and seen from outside"}});
     }
 
     // Depth of the bounding sphere; false if it is wholly outside one of the planes of the view.

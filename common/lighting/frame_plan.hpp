@@ -127,7 +127,8 @@ struct Draw {
 /// Something that the frame does without: exactly, or within --light-cut.
 struct Skipped {
     const THREE::Object3D* object;  ///< a mesh or a light; THREE::describe names it
-    std::string why;
+    Text why;  ///< "its intensity is 0"
+    std::string share = {};  ///< what stands before `why`, where only a part is left out: "3/8 "
 };
 
 /// Everything that a renderer needs to know of a frame.

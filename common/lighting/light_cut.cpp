@@ -87,7 +87,9 @@ class Cut {
         std::erase_if(lights, [&](const auto& light) {
             if (!test(light))
                 return false;
-            plan_.skipped.push_back({light.light, "--light-cut: it adds less than its share everywhere"});
+            plan_.skipped.push_back({light.light,
+                                     {"--light-cut: ovunque aggiunge meno della sua parte",
+                                      "--light-cut: it adds less than its share everywhere"}});
             ++plan_.lightsSkipped;
             --plan_.lightsUsed;
             return true;

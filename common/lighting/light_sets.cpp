@@ -127,7 +127,8 @@ class Distribution {
         none.empty = true;
         draw.lights = number(none);
         plan_.pairsSkipped += static_cast<long long>(plan_.directional.size() + plan_.point.size());
-        plan_.skipped.push_back({draw.mesh, "it is black: no light is computed for it"});
+        plan_.skipped.push_back(
+            {draw.mesh, {"è nera: nessuna luce è calcolata", "it is black: no light is computed for it"}});
     }
 
     void take(Draw& draw, const std::vector<const THREE::Light*>& missing, std::vector<bool>& used) {
@@ -143,9 +144,10 @@ class Distribution {
             }
         draw.lights = number(set);
         plan_.pairsSkipped += static_cast<long long>(missing.size());
-        plan_.skipped.push_back({draw.mesh, std::to_string(missing.size()) + " of " +
-                                                std::to_string(plan_.point.size()) +
-                                                " point lights end before it"});
+        plan_.skipped.push_back(
+            {draw.mesh,
+             {"luci posizionali finiscono prima", "point lights end before it"},
+             std::to_string(missing.size()) + "/" + std::to_string(plan_.point.size()) + " "});
     }
 
     std::size_t number(const LightSet& set) {
@@ -159,7 +161,8 @@ class Distribution {
     void tellUnused(const std::vector<bool>& used) {
         for (std::size_t i = 0; i < used.size(); ++i)
             if (!used[i] && std::isfinite(plan_.point[i].reach)) {
-                plan_.skipped.push_back({plan_.point[i].light, "it ends before every mesh"});
+                plan_.skipped.push_back(
+                    {plan_.point[i].light, {"finisce prima di ogni oggetto", "it ends before every mesh"}});
                 ++plan_.lightsSkipped;
                 --plan_.lightsUsed;
             }

@@ -15,8 +15,8 @@ namespace lighting {
 
 /// A text that people read, in both languages of the lab.
 struct Text {
-    const char* it;
-    const char* en;
+    const char* it = nullptr;
+    const char* en = nullptr;
 };
 
 /// A symbol of  P = ( sum_i max(0, n . w_i) f(d_i) D (x) L_i ) + D (x) L_A  (slide 42). The number is its key minus 1.

@@ -78,7 +78,7 @@ TEST_F(Plan, DropsMeshesOutsideTheView) {
         const lighting::FramePlan p = plan();
         EXPECT_TRUE(p.draws.empty());
         ASSERT_EQ(p.skipped.size(), 1U);
-        EXPECT_NE(p.skipped[0].why.find("outside"), std::string::npos);
+        EXPECT_NE(std::string(p.skipped[0].why.en).find("outside"), std::string::npos);
     }
     for (const THREE::Vector3& place :
          {THREE::Vector3(0, 0, 5.5), THREE::Vector3(3, 0, 0), THREE::Vector3(0, -3, 0)}) {
