@@ -4,6 +4,7 @@
 
 #include "lab/controls.hpp"
 #include "lab/options.hpp"
+#include "lab/phases.hpp"
 #include "three/scene.hpp"
 
 #include <functional>
@@ -13,6 +14,11 @@ namespace lab {
 
 /// Moves things as a function of the time in seconds, and of nothing else: `--time` gives the same picture each time.
 using Animation = std::function<void(double seconds)>;
+
+class View;
+
+/// Makes the View that these options ask for, hands it to `use`, and leaves scene and camera as they were.
+using WithView = std::function<void(const Options& options, const std::function<void(View&)>& use)>;
 
 /// A lesson's program around its scene. What it hides: command line, window or headless frame, keys, panel, messages.
 class App {
@@ -38,6 +44,9 @@ class App {
     int runFile();
 
   private:
+    int show(const WithView& withView);
+
+    Phases phases_;
     Options options_;
     Controls controls_;
 };
