@@ -124,6 +124,53 @@ TEST(Jitter, MovesALittleTheSameEachTimeAndBackAgain) {
     EXPECT_GT(Vector3(places[0][1]).sub({2, 1.5, 5}).length(), 1e-3);
 }
 
+TEST(Jitter, LeavesTheAnglesThatWereWritten) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::Mesh mesh(box);
+    mesh.rotation.set(0.5, 0.3, 0.2);
+    scene.add(mesh);
+    THREE::PerspectiveCamera camera;
+    camera.position.set(0, 1, 5);
+    const THREE::Quaternion before = mesh.quaternion;
+    lab::Jitter jitter(7);
+    jitter.apply(scene, camera, {});
+    jitter.undo();
+    mesh.rotation.y = 0.3;  // as an animation writes it: the other two angles must be the very same
+    for (const auto& [now, then] : {std::pair{mesh.quaternion.x, before.x}, {mesh.quaternion.w, before.w}})
+        EXPECT_EQ(static_cast<double>(now), static_cast<double>(then));
+}
+
+TEST(View, LeavesEverythingAsItFoundIt) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::Mesh mesh(box);
+    THREE::PointLight light(0xFFFFFF, 1, 0, 2);
+    scene.add(mesh, light);
+    THREE::PerspectiveCamera camera(40);
+    camera.position.z = 5;
+    const lab::Animation still;
+    lab::Controls controls;
+    lab::Options options;
+    options.camera = lab::CameraOption{{1, 2, 3}, {0, 0, 0}, 20};
+    options.jitter = 5;
+    options.decay = 1;
+    {
+        lab::View view(scene, camera, still, options, controls);
+        view.update(0, 64, 32);
+        EXPECT_EQ(camera.fov, 20);
+        EXPECT_EQ(camera.aspect, 2);
+        EXPECT_EQ(light.decay, 1);
+        EXPECT_NE(mesh.position.x, 0);
+    }
+    EXPECT_EQ(camera.fov, 40);
+    EXPECT_EQ(camera.aspect, 1);
+    EXPECT_EQ(light.decay, 2);
+    expectNear(mesh.position, {}, 0);
+    expectNear(camera.position, {0, 0, 5}, 0);
+    EXPECT_EQ(camera.rotation.x, 0);
+}
+
 TEST(View, BringsAnySceneIntoView) {
     for (const auto& [size, aspect] :
          {std::pair{1e-6, 1.0}, {1.0, 1.0}, {1e6, 1.0}, {1.0, 0.1}, {1.0, 10.0}}) {
