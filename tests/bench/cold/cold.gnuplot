@@ -9,6 +9,7 @@ set yrange [0:*]
 set grid ytics lc rgb "#d8d8d8"
 set border 3
 set tics nomirror
+set xtics rotate by -18 left
 set key outside right reverse Left invert
 set linetype 1 lc rgb "#4c566a"
 set linetype 2 lc rgb "#b0b7c3"

@@ -88,15 +88,13 @@ class Bench {
     }
 
     void round() {
+        empty();
+        coldStarts("empty");
         warm();
-        coldStarts("warm");
+        probe("");  // so that nobody runs right after what filled a cache
+        for (int i = 0; i < 3; ++i)
+            coldStarts("warm");
         frames();
-        for (const bool phases : {false, true}) {
-            empty();
-            lesson("empty lesson", {"--frame", "l.png"}, phases);
-            empty();
-            probe("empty probe", phases);
-        }
     }
 
     Times times;
@@ -105,17 +103,23 @@ class Bench {
   private:
     void warm() { setenv("MESA_SHADER_CACHE_DIR", (scratch_ / "warm").c_str(), 1); }
     void empty() {
-        static int number = 0;
-        const fs::path folder = scratch_ / ("empty" + std::to_string(number++));
+        const fs::path folder = scratch_ / ("empty" + std::to_string(emptied_++));
         fs::create_directory(folder);
         setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
     }
 
+    // Each of the two goes first as often as the other.
     void coldStarts(const std::string& cache) {
-        lesson(cache + " lesson", {"--frame", "l.png"});
-        probe(cache + " probe");
-        lesson(cache + " lesson", {"--frame", "l.png"}, true);
-        probe(cache + " probe", true);
+        const bool lessonFirst = (turn_ = !turn_);
+        for (const bool phases : {false, true})
+            for (const bool isLesson : {lessonFirst, !lessonFirst}) {
+                if (cache == "empty")
+                    empty();
+                if (isLesson)
+                    lesson(cache + " lesson", {"--frame", "l.png"}, phases);
+                else
+                    probe(cache + " probe", phases);
+            }
     }
 
     // Many frames in one process, and what they should cost: a process, then frames and files.
@@ -187,6 +191,8 @@ class Bench {
     }
 
     fs::path bin_, scratch_;
+    bool turn_ = false;
+    int emptied_ = 0;
 };
 
 // A bar's phases, and what none of them is: the kernel's share of starting and ending a process.
