@@ -99,7 +99,7 @@ App::App(int argc, char** argv, const std::string& lesson)
     phases_.mark("options");
 }
 
-int App::show(const WithView& withView) {
+int App::present(const WithView& withView) {
     Renderers renderers;  // never destroyed: the driver's own clean-up would cost a tenth of a whole frame
     int status = done;
     const std::optional<Failure> failure = attempt([&] {
@@ -125,7 +125,7 @@ int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animat
         scene.updateMatrixWorld();
         middle = worldBounds(scene).center;
     }
-    return show([&](const Options& options, const std::function<void(View&)>& use) {
+    return present([&](const Options& options, const std::function<void(View&)>& use) {
         View view(scene, camera, animation, options, controls_, middle);
         use(view);
     });
@@ -136,7 +136,7 @@ int App::runFile() {
     if (const std::optional<Failure> failure = attempt([&] { openFile(options_, loaded); }))
         return tell(*failure, options_);
     const Animation none;
-    return show([&](const Options& options, const std::function<void(View&)>& use) {
+    return present([&](const Options& options, const std::function<void(View&)>& use) {
         THREE::PerspectiveCamera camera(40);
         aim(camera, loaded, options);
         View view(*loaded.scene, camera, none, options, controls_);

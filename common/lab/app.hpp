@@ -35,7 +35,7 @@ class App {
     /// For the animation: a number of this frame, for the panel and, with --frame, for stdout.
     void show(lighting::Text label, double value) { controls_.readings.push_back({label, value}); }
 
-    /// Shows the scene until the window is closed, or writes the frame that the command line asks for. Returns the
+    /// Shows the scene until the window is closed, or writes the frames that the command line asks for. Returns the
     /// program's exit status: 0 done, 2 wrong usage, 3 no way to render, 4 unusable scene, 5 cannot write; each but 0
     /// with a message on stderr. The camera's aspect follows the picture's size.
     int run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation = {});
@@ -44,7 +44,7 @@ class App {
     int runFile();
 
   private:
-    int show(const WithView& withView);
+    int present(const WithView& withView);
 
     Phases phases_;
     Options options_;
