@@ -304,11 +304,12 @@ int main(int argc, char** argv) {
         return 2;
     }
     std::string scratch = (fs::temp_directory_path() / "lambert-cold-XXXXXX").string();
+    const fs::path bin = fs::absolute(argv[1]), out = fs::absolute(argv[2]);
     int status = 0;
     try {
         if (mkdtemp(scratch.data()) == nullptr || chdir(scratch.c_str()) != 0)
             throw std::runtime_error("cannot make a temporary folder " + scratch);
-        Bench bench(argv[1], scratch);
+        Bench bench(bin, scratch);
         const int rounds = quick ? 5 : 21;
         for (int i = 1; i <= rounds; ++i) {
             bench.round();
@@ -317,9 +318,9 @@ int main(int argc, char** argv) {
                           << std::flush;
         }
         const Json json = resultsJson(bench);
-        writeFile(fs::path(argv[2]) / "cold.csv", phasesCsv(bench.times));
-        writeFile(fs::path(argv[2]) / "cold_frames.csv", framesCsv(bench.times));
-        writeFile(fs::path(argv[2]) / "cold.json", json.dump(1) + "\n");
+        writeFile(out / "cold.csv", phasesCsv(bench.times));
+        writeFile(out / "cold_frames.csv", framesCsv(bench.times));
+        writeFile(out / "cold.json", json.dump(1) + "\n");
         for (const Json& row : json["results"])
             if (row["unit"] == "ratio")
                 std::cout << row["name"].get<std::string>() << ": " << row["value"] << '\n';
