@@ -35,7 +35,7 @@ do for [kind in "png svg"] {
     set ylabel "ms"
     plot for [i = 2:12] "cold.csv" using i:xtic(1) title columnheader(i)
     set title "100 frames of 64x64 to PNG"
-    plot for [i = 2:4] "cold_frames.csv" using i:xtic(1) title columnheader(i)
+    plot for [i = 2:5] "cold_frames.csv" using i:xtic(1) title columnheader(i)
     unset multiplot
     unset output
 }
