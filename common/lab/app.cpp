@@ -2,52 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "lab/app.hpp"
 
-#include "image/frame.hpp"
+#include "lab/failure.hpp"
+#include "lab/frame_batch.hpp"
 #include "lab/live.hpp"
 #include "lab/stills.hpp"
 #include "lab/view.hpp"
 #include "lab/window.hpp"
-#include "render/error.hpp"
 #include "three/object_loader.hpp"
 #include "three/validate.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
-#include <new>
 
 namespace lab {
 
 namespace {
-
-enum Status { done = 0, wrongUsage = 2, noRenderer = 3, unusableScene = 4, cannotWrite = 5 };
-
-// Runs `work`; whatever goes wrong becomes one message and the status that the command line promises.
-template <class Work>
-int guarded(const std::string& who, const Work& work) {
-    const auto failed = [&who](const std::string& message, Status status) {
-        std::cout.flush();
-        std::cerr << who << ": " << message << std::endl;
-        return status;
-    };
-    try {
-        work();
-        return flushOutput(who) ? done : cannotWrite;
-    } catch (const render::NoRenderer& error) {
-        return failed(error.what(), noRenderer);
-    } catch (const render::ShaderError& error) {
-        return failed(error.what(), noRenderer);
-    } catch (const THREE::SceneError& error) {
-        return failed(error.what(), unusableScene);
-    } catch (const image::Error& error) {
-        return failed(error.what(), cannotWrite);
-    } catch (const std::bad_alloc&) {
-        return failed("not enough memory for this scene at this size; choose a smaller --size", noRenderer);
-    } catch (const std::exception& error) {
-        return failed(error.what(), unusableScene);
-    }
-}
 
 // Near and far for an eye of the user's choice: nothing of the scene is cut off.
 void reachEverything(THREE::PerspectiveCamera& camera, const THREE::Sphere& bounds,
@@ -57,7 +29,37 @@ void reachEverything(THREE::PerspectiveCamera& camera, const THREE::Sphere& boun
     camera.near = std::min(camera.near, camera.far * 1e-5);
 }
 
-void present(View& view, Options& options) {
+void openFile(const Options& options, THREE::LoadedScene& loaded) {
+    loaded = THREE::ObjectLoader().load(options.sceneFile);
+    for (const std::string& note : loaded.notes)
+        std::cerr << options.lesson << ": " << note << '\n';
+    loaded.scene->updateMatrixWorld();
+    // Before its size is measured; a camera that sees as far as anything may be.
+    THREE::validate(*loaded.scene, THREE::PerspectiveCamera(50, 1, 1e30, 1e36));
+}
+
+// The camera of a scene file, or one that brings all of it into view. It is none of the file's own objects, and stands in
+// world space, so that it can be turned whatever the file's camera hangs on.
+void aim(THREE::PerspectiveCamera& camera, const THREE::LoadedScene& loaded, const Options& options) {
+    loaded.scene->updateMatrixWorld();
+    if (loaded.camera != nullptr) {
+        camera.fov = loaded.camera->fov;
+        camera.near = loaded.camera->near;
+        camera.far = loaded.camera->far;
+        camera.zoom = loaded.camera->zoom;
+        camera.up = loaded.camera->up;
+        camera.applyMatrix4(loaded.camera->matrixWorld);
+        return;
+    }
+    camera.aspect =
+        options.width && options.height ? static_cast<double>(*options.width) / *options.height : 1;
+    bringIntoView(camera, *loaded.scene);
+    if (options.camera)
+        reachEverything(camera, worldBounds(*loaded.scene), *options.camera);
+}
+
+// The window, or the picture that takes its place.
+void showOne(View& view, Options& options, Renderers& renderers, Phases& phases) {
     if (options.wantsWindow()) {
         std::string reason;
         const std::unique_ptr<Window> window =
@@ -69,60 +71,77 @@ void present(View& view, Options& options) {
                   << reason << say({"), scrivo l'immagine ", "), writing the frame "}, options.language)
                   << options.frame << std::endl;
     }
-    runStills(view, options);
+    drawStill(view, options, renderers, phases);
+}
+
+// Loading the program and its libraries takes processor time and little else, and that clock is exact.
+Phases sinceProcessStart() {
+    timespec used{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    Phases phases;
+    phases.add("load", static_cast<double>(used.tv_sec) * 1e3 + static_cast<double>(used.tv_nsec) / 1e6);
+    return phases;
+}
+
+int tell(const Failure& failure, const Options& options) {
+    // What is wrong with a scene file is said with its name.
+    const bool file = failure.status == unusableScene && !options.sceneFile.empty();
+    std::cout.flush();
+    std::cerr << options.lesson << ": " << (file ? options.sceneFile + ": " : "") << failure.message
+              << std::endl;
+    return failure.status;
 }
 
 }  // namespace
 
 App::App(int argc, char** argv, const std::string& lesson)
-    : options_(readOptions(argc, argv, lesson, lesson == "scene_viewer")) {}
+    : phases_(sinceProcessStart()), options_(readOptions(argc, argv, lesson, lesson == "scene_viewer")) {
+    phases_.mark("options");
+}
 
-int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {
-    // What is wrong with a scene file is said with its name.
-    const std::string who = options_.lesson + (options_.sceneFile.empty() ? "" : ": " + options_.sceneFile);
-    if (const std::string wrong = controls_.set(options_.set); !wrong.empty()) {
-        std::cerr << options_.lesson << ": " << wrong << '\n';
-        return wrongUsage;
-    }
-    const int status = guarded(who, [&] {
-        View view(scene, camera, animation, options_, controls_);
-        present(view, options_);
+int App::present(const WithView& withView) {
+    Renderers renderers;  // never destroyed: the driver's own clean-up would cost a tenth of a whole frame
+    int status = done;
+    const std::optional<Failure> failure = attempt([&] {
+        if (!options_.framesFrom.empty()) {
+            status = drawFrames(options_, controls_, withView, renderers, phases_);
+            return;
+        }
+        if (const std::string wrong = controls_.set(options_.set); !wrong.empty())
+            throw UsageError(wrong);
+        withView(options_, [&](View& view) { showOne(view, options_, renderers, phases_); });
     });
-    // All is written; the driver's own clean-up would only cost time, a tenth of a whole frame.
-    std::cout.flush();
+    if (failure)
+        status = tell(*failure, options_);
+    if (!flushOutput(options_.lesson) && status == done)
+        status = cannotWrite;
     std::fflush(nullptr);
     std::_Exit(status);
 }
 
+int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {
+    std::optional<THREE::Vector3> middle;
+    if (!options_.framesFrom.empty()) {  // before the first frame's animation moves anything
+        scene.updateMatrixWorld();
+        middle = worldBounds(scene).center;
+    }
+    return present([&](const Options& options, const std::function<void(View&)>& use) {
+        View view(scene, camera, animation, options, controls_, middle);
+        use(view);
+    });
+}
+
 int App::runFile() {
     THREE::LoadedScene loaded;
-    const int status = guarded(options_.lesson, [&] {
-        loaded = THREE::ObjectLoader().load(options_.sceneFile);
-        for (const std::string& note : loaded.notes)
-            std::cerr << options_.lesson << ": " << note << '\n';
-        loaded.scene->updateMatrixWorld();
-        // Before its size is measured; a camera that sees as far as anything may be.
-        THREE::validate(*loaded.scene, THREE::PerspectiveCamera(50, 1, 1e30, 1e36));
+    if (const std::optional<Failure> failure = attempt([&] { openFile(options_, loaded); }))
+        return tell(*failure, options_);
+    const Animation none;
+    return present([&](const Options& options, const std::function<void(View&)>& use) {
+        THREE::PerspectiveCamera camera(40);
+        aim(camera, loaded, options);
+        View view(*loaded.scene, camera, none, options, controls_);
+        use(view);
     });
-    if (status != done)
-        return status;
-    // A camera of its own, in world space, so that it can be turned whatever it hangs on in the file.
-    THREE::PerspectiveCamera camera(40);
-    if (loaded.camera != nullptr) {
-        camera.fov = loaded.camera->fov;
-        camera.near = loaded.camera->near;
-        camera.far = loaded.camera->far;
-        camera.zoom = loaded.camera->zoom;
-        camera.up = loaded.camera->up;
-        camera.applyMatrix4(loaded.camera->matrixWorld);
-    } else {
-        camera.aspect =
-            options_.width && options_.height ? static_cast<double>(*options_.width) / *options_.height : 1;
-        bringIntoView(camera, *loaded.scene);
-        if (options_.camera)
-            reachEverything(camera, worldBounds(*loaded.scene), *options_.camera);
-    }
-    return run(*loaded.scene, camera);
 }
 
 }  // namespace lab

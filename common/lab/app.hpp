@@ -4,6 +4,7 @@
 
 #include "lab/controls.hpp"
 #include "lab/options.hpp"
+#include "lab/phases.hpp"
 #include "three/scene.hpp"
 
 #include <functional>
@@ -13,6 +14,11 @@ namespace lab {
 
 /// Moves things as a function of the time in seconds, and of nothing else: `--time` gives the same picture each time.
 using Animation = std::function<void(double seconds)>;
+
+class View;
+
+/// Makes the View that these options ask for, hands it to `use`, and leaves scene and camera as they were.
+using WithView = std::function<void(const Options& options, const std::function<void(View&)>& use)>;
 
 /// A lesson's program around its scene. What it hides: command line, window or headless frame, keys, panel, messages.
 class App {
@@ -29,7 +35,7 @@ class App {
     /// For the animation: a number of this frame, for the panel and, with --frame, for stdout.
     void show(lighting::Text label, double value) { controls_.readings.push_back({label, value}); }
 
-    /// Shows the scene until the window is closed, or writes the frame that the command line asks for. Returns the
+    /// Shows the scene until the window is closed, or writes the frames that the command line asks for. Returns the
     /// program's exit status: 0 done, 2 wrong usage, 3 no way to render, 4 unusable scene, 5 cannot write; each but 0
     /// with a message on stderr. The camera's aspect follows the picture's size.
     int run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation = {});
@@ -38,6 +44,9 @@ class App {
     int runFile();
 
   private:
+    int present(const WithView& withView);
+
+    Phases phases_;
     Options options_;
     Controls controls_;
 };

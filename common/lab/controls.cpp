@@ -79,6 +79,11 @@ std::string Controls::set(std::span<const std::string> assignments) {
     return {};
 }
 
+void Controls::forgetSet() {
+    for (Slider& slider : sliders_)
+        slider.start = slider.value = slider.own;
+}
+
 void Controls::reset() {
     for (Slider& slider : sliders_)
         slider.value = slider.start;

@@ -18,6 +18,7 @@ struct Slider {
     double min, max;  ///< its range, both ends included; min < max
     lighting::Text label;  ///< what it means, with its unit
     double value;  ///< now; from min to max
+    double own = start;  ///< the lesson's own start, whatever --set says
 
     /// Moves it by whole steps. A step is about 1/100 of the range, rounded to 1, 2 or 5 times a power of ten, and values
     /// fall on multiples of it: 0.57, never 0.5699999.
@@ -42,6 +43,8 @@ class Controls {
     const double& add(const std::string& name, double start, double min, double max, lighting::Text label);
     /// Puts sliders where --set wants them ("alpha=60"), as their new start. Returns what is wrong, or an empty text.
     std::string set(std::span<const std::string> assignments);
+    /// Every slider back to where the lesson starts it, as if --set had said nothing.
+    void forgetSet();
     /// Every slider back to its start.
     void reset();
 

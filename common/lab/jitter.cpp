@@ -66,6 +66,7 @@ void Jitter::undo() {
     for (const Place& place : places_) {
         place.object->position = place.position;
         place.object->quaternion = place.quaternion;
+        place.object->rotation.setSilently(place.rotation);
     }
     places_.clear();
 }

@@ -24,9 +24,10 @@ class Jitter {
         THREE::Object3D* object;
         THREE::Vector3 position;
         THREE::Quaternion quaternion;
+        THREE::Euler rotation;  // angles taken from the quaternion would differ in their last digits
     };
     void remember(THREE::Object3D& object) {
-        places_.push_back({&object, object.position, object.quaternion});
+        places_.push_back({&object, object.position, object.quaternion, object.rotation});
     }
 
     std::uint64_t seed_;

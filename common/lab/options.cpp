@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/options.hpp"
 
+#include "lab/failure.hpp"
 #include "lab/number.hpp"
 #include "lab/switches.hpp"
 
@@ -130,7 +131,10 @@ void addNumbers(CLI::App& app, Options& options) {
                 throw CLI::ValidationError("--light-cut", "expected 0 to 255, found '" + value + "'");
         });
     app.add_option_function<std::vector<std::string>>(
-           "--set", [&options](const std::vector<std::string>& all) { options.set = all; },
+           "--set",
+           [&options](const std::vector<std::string>& all) {
+               options.set.insert(options.set.end(), all.begin(), all.end());
+           },
            text("NOME=VALORE: mette un cursore della lezione; un nome sbagliato li elenca",
                 "NAME=VALUE: puts a slider of the lesson; a wrong name lists them"))
         ->expected(1)
@@ -159,6 +163,9 @@ void addFiles(CLI::App& app, Options& options) {
     add("--frame", options.frame,
         "FILE: disegna un'immagine senza finestra (.png, o .exr in virgola mobile) ed esce",
         "FILE: draws one frame without a window (.png, or .exr in floats) and leaves");
+    add("--frames-from", options.framesFrom,
+        "FILE: un'immagine per ogni riga di opzioni del file, - per stdin; ogni riga ha il suo --frame",
+        "FILE: a frame for each line of options in it, - for stdin; each line has a --frame of its own");
     add("--dump-scene", options.dumpScene, "FILE: scrive la scena come JSON di three.js",
         "FILE: writes the scene as three.js JSON");
     add("--shaders", options.shaders,
@@ -202,6 +209,34 @@ void addChoices(CLI::App& app, Options& options) {
         });
 }
 
+// What only becomes a value after all words are read.
+struct Flags {
+    bool list = false;
+    bool noSkip = false;
+};
+
+void addAll(CLI::App& app, Options& options, Flags& flags) {
+    app.set_version_flag("--version", options.lesson + " " LAMBERT_VERSION,
+                         text("dice la versione", "tells the version"));
+    app.set_help_flag("--help,-h", text("questo aiuto", "this help"));
+    addFiles(app, options);
+    addNumbers(app, options);
+    addChoices(app, options);
+    addSwitches(app, options);
+    app.add_flag("--no-skip", flags.noSkip, text("non tralascia nulla", "leaves nothing out"));
+    app.add_flag("--stats", options.stats,
+                 text("scrive una riga JSON con tempi e conteggi", "writes a JSON line of times and counts"));
+    app.add_flag("--dump-shader", options.dumpShader,
+                 text("scrive gli shader come vengono compilati", "writes the shaders as compiled"));
+    app.add_flag("--list-terms", flags.list,
+                 text("elenca i termini dell'equazione", "lists the equation's terms"));
+}
+
+// CLI11 takes the last word first.
+void parse(CLI::App& app, std::span<const std::string> words) {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+}
+
 }  // namespace
 
 bool flushOutput(const std::string& who) {
@@ -224,30 +259,18 @@ std::variant<Options, Ending> parseOptions(std::span<const std::string> argument
     options.lesson = lesson;
     options.language = descriptions = languageOf(arguments);
     CLI::App app(lesson + ", Lambert Lab " LAMBERT_VERSION, lesson);
-    app.set_version_flag("--version", lesson + " " LAMBERT_VERSION,
-                         text("dice la versione", "tells the version"));
-    app.set_help_flag("--help,-h", text("questo aiuto", "this help"));
-    addFiles(app, options);
-    addNumbers(app, options);
-    addChoices(app, options);
-    addSwitches(app, options);
-    bool list = false;
-    bool noSkip = false;
-    app.add_flag("--no-skip", noSkip, text("non tralascia nulla", "leaves nothing out"));
-    app.add_flag("--stats", options.stats,
-                 text("scrive una riga JSON con tempi e conteggi", "writes a JSON line of times and counts"));
-    app.add_flag("--dump-shader", options.dumpShader,
-                 text("scrive gli shader come vengono compilati", "writes the shaders as compiled"));
-    app.add_flag("--list-terms", list, text("elenca i termini dell'equazione", "lists the equation's terms"));
+    Flags flags;
+    addAll(app, options, flags);
     if (file)
         app.add_option("file", options.sceneFile,
                        text("scena three.js (JSON) o .obj", "three.js scene (JSON) or .obj"));
+    for (const char* one : {"--frame", "--frames", "--dump-scene", "--dump-shader"})
+        app.get_option("--frames-from")->excludes(app.get_option(one));
     const auto wrong = [&lesson](const std::string& what) {
         return Ending{2, "", lesson + ": " + what + "\nSee " + lesson + " --help for what is understood.\n"};
     };
     try {
-        // CLI11 takes the last word first.
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+        parse(app, arguments);
     } catch (const CLI::Success& asked) {
         std::ostringstream out;
         app.exit(asked, out, out);
@@ -255,11 +278,39 @@ std::variant<Options, Ending> parseOptions(std::span<const std::string> argument
     } catch (const CLI::ParseError& error) {
         return wrong(error.what());
     }
-    options.skip = !noSkip;
-    if (list)
+    options.skip = !flags.noSkip;
+    if (flags.list)
         return Ending{0, listTerms(options.language), ""};
     if (file && options.sceneFile.empty())
         return wrong("expected a scene file (three.js JSON or .obj), found none");
+    return options;
+}
+
+Options parseFrameLine(std::span<const std::string> words, const Options& commandLine) {
+    Options options = commandLine;
+    options.framesFrom.clear();
+    CLI::App app;
+    Flags flags;
+    addAll(app, options, flags);
+    const auto refuse = [](const std::string& option) {
+        throw UsageError("found " + option +
+                         ", which is not about one frame; expected it on the command line "
+                         "or nowhere; take it out of this line");
+    };
+    try {
+        parse(app, words);
+    } catch (const CLI::Success&) {
+        refuse("--help or --version");
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    for (const char* other : {"--frames-from", "--frames", "--dump-scene", "--dump-shader", "--list-terms"})
+        if (app.count(other) > 0)
+            refuse(other);
+    if (options.frame.empty())
+        throw UsageError(
+            "expected --frame FILE among the options of this line, found none; add where to write");
+    options.skip = commandLine.skip && !flags.noSkip;
     return options;
 }
 

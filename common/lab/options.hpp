@@ -39,6 +39,7 @@ struct Options {
     double time = 0;  ///< --time, seconds
     lighting::Switches switches;  ///< --terms, --shading, --space, --normal-matrix, --specular
     std::optional<double> decay;
+    std::string framesFrom;  ///< --frames-from: a file of option lines, "-" for stdin, or empty
     std::vector<std::string> set;  ///< --set: NAME=VALUE of sliders, which only the App knows
     std::optional<CameraOption> camera;
     std::optional<std::uint64_t> jitter;
@@ -54,7 +55,8 @@ struct Options {
 
     /// Whether a window may open: nothing was asked that a window does not give.
     bool wantsWindow() const {
-        return frame.empty() && frames == 0 && !stats && dumpScene.empty() && !dumpShader;
+        return frame.empty() && framesFrom.empty() && frames == 0 && !stats && dumpScene.empty() &&
+               !dumpShader;
     }
 };
 
@@ -69,7 +71,12 @@ struct Ending {
 std::variant<Options, Ending> parseOptions(std::span<const std::string> arguments, const std::string& lesson,
                                            bool file);
 
-/// The same for `main`: prints an Ending and leaves with its status (5 if stdout cannot be written).
+/// Reads the words of a line of --frames-from, on top of the command line's options: what the line says replaces what they
+/// say, its --set are added. A line has a --frame of its own; what is not about one frame is refused, and so is a scene file.
+/// Throws UsageError.
+Options parseFrameLine(std::span<const std::string> words, const Options& commandLine);
+
+/// parseOptions for `main`: prints an Ending and leaves with its status (5 if stdout cannot be written).
 Options readOptions(int argc, char** argv, const std::string& lesson, bool file);
 
 /// Sends off what was said on stdout. False, with a message on stderr, if it could not be written.

@@ -70,6 +70,23 @@ double millisecondsSinceProcessStart() {
     return static_cast<double>(now.tv_sec) * 1000 + static_cast<double>(now.tv_nsec) / 1e6 - started;
 }
 
+namespace {
+
+std::string oneLine(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json nameOrNull(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
+
+}  // namespace
+
+std::string failureJson(const std::string& frame, int line, const Failure& failure) {
+    Json json;
+    json["frame"] = nameOrNull(frame);
+    json["line"] = line;
+    json["status"] = static_cast<int>(failure.status);
+    json["error"] = failure.message;
+    return oneLine(json);
+}
+
 std::string statsJson(const StatsReport& report, const render::FrameStats& frame) {
     std::set<std::string> variants;
     for (const lighting::Variant& variant : frame.variants)
@@ -84,6 +101,7 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
     std::sort(times.begin(), times.end());
     const std::size_t n = times.size();
     Json json;
+    json["frame"] = nameOrNull(report.frame);
     json["renderer"] = report.renderer;
     json["width"] = report.width;
     json["height"] = report.height;
@@ -112,7 +130,10 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
     for (const Reading& reading : report.controls.readings)
         json["readings"].push_back({{"what", reading.label.en}, {"value", reading.value}});
     json["nonfinite"] = frame.nonfinite ? Json(*frame.nonfinite) : Json(nullptr);
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    json["phases_ms"] = Json::object();
+    for (const auto& [name, milliseconds] : report.phases.all())
+        json["phases_ms"][name] = milliseconds;
+    return oneLine(json);
 }
 
 }  // namespace lab

@@ -5,30 +5,21 @@
 #include "image/write.hpp"
 #include "lab/equation.hpp"
 #include "lab/light_cost.hpp"
+#include "lab/progress.hpp"
 #include "lab/stats.hpp"
 #include "lab/switches.hpp"
-#include "render/context.hpp"
 #include "render/gl_renderer.hpp"
-#include "render/reference_renderer.hpp"
 #include "render/shader_source.hpp"
 #include "three/object_loader.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <set>
-#include <unistd.h>
 
 namespace lab {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Formats that keep more than 8 bits get the float frame.
 bool wantsFloats(const std::string& path) {
@@ -74,60 +65,64 @@ void dumpShaders(const lighting::FramePlan& plan, const std::string& directory) 
                       << render::dumpShaders(directory, plan, draw);
 }
 
-// A bar on stderr for what takes longer than two seconds, where somebody looks.
-class Progress {
-  public:
-    explicit Progress(int total) : total_(total) {}
-    ~Progress() {
-        if (shown_)
-            std::cerr << '\n';
-    }
-    void step(int done) {
-        if (millisecondsSince(start_) < 2000 || isatty(STDERR_FILENO) == 0)
-            return;
-        constexpr int width = 40;
-        const int filled = static_cast<int>(static_cast<long long>(width) * done / total_);
-        if (filled == filled_)
-            return;
-        filled_ = filled;
-        shown_ = true;
-        std::cerr << "\r[" << std::string(static_cast<std::size_t>(filled), '#')
-                  << std::string(static_cast<std::size_t>(width - filled), ' ') << "] " << done << '/'
-                  << total_ << std::flush;
-    }
-
-  private:
-    int total_;
-    int filled_ = -1;
-    bool shown_ = false;
-    Clock::time_point start_ = Clock::now();
-};
-
-// The renderer that the command line asks for, with the context it needs.
-class Drawing {
-  public:
-    explicit Drawing(const Options& options) {
-        if (options.renderer == RendererKind::reference) {
-            renderer_ = std::make_unique<render::ReferenceRenderer>(
-                [this](double share) { progress_.step(static_cast<int>(share * 1000)); });
-        } else {
-            context_.emplace();
-            renderer_ = std::make_unique<render::GlRenderer>(render::findShaderDirectory(options.shaders));
-        }
-    }
-    render::Renderer& renderer() { return *renderer_; }
-
-  private:
-    Progress progress_{1000};
-    std::optional<render::HeadlessContext> context_;
-    std::unique_ptr<render::Renderer> renderer_;
-};
-
 void tellTimes(const LightCost& cost, const render::FrameRequest& request) {
     const auto [fastest, slowest] = std::minmax_element(cost.with.begin(), cost.with.end());
     std::cout << cost.with.size() << " frames of " << request.width << 'x' << request.height << ": median "
               << median(cost.with) << " ms, fastest " << *fastest << ", slowest " << *slowest << "; "
               << cost.lights << " lights, each " << cost.each() << " ms\n";
+}
+
+// Draws the frame, and gives each part of the time a name. What the renderer does not name is drawing.
+image::Frame drawFrame(View& view, const Options& options, render::Renderer& renderer,
+                       const render::FrameRequest& request, Phases& phases, StatsReport& report) {
+    const double compiledBefore = renderer.stats().compileMilliseconds;
+    image::Frame frame =
+        renderer.render(view.scene(), view.camera(), view.settings(options.switches), request);
+    const double all = phases.lap();
+    report.frameMilliseconds = {all};
+    const render::FrameStats stats = renderer.stats();
+    const double compile = stats.compileMilliseconds - compiledBefore;
+    phases.add("plan", stats.planMilliseconds);
+    phases.add("compile", compile);
+    phases.add("draw",
+               all - compile - stats.planMilliseconds - stats.finishMilliseconds - stats.readMilliseconds);
+    phases.add("finish", stats.finishMilliseconds);
+    phases.add("read", stats.readMilliseconds);
+    return frame;
+}
+
+void timeFrames(View& view, const Options& options, render::Renderer& renderer,
+                const render::FrameRequest& request, StatsReport& report) {
+    Progress progress;
+    const LightCost cost =
+        measureLights(view, renderer, options.switches, options.time, request, options.frames, [&](int done) {
+            progress.step(static_cast<double>(done) / options.frames,
+                          std::to_string(done) + "/" + std::to_string(options.frames));
+        });
+    report.frameMilliseconds = cost.with;
+    report.millisecondsPerLight = cost.each();
+    if (!options.stats)
+        tellTimes(cost, request);
+}
+
+void tellStats(View& view, const Options& options, Renderers& renderers, const render::FrameRequest& request,
+               render::FrameStats stats, StatsReport& report) {
+    render::Renderer& renderer = renderers.get(options);
+    report.frame = options.frame;
+    report.renderer = renderer.name();
+    report.width = request.width;
+    report.height = request.height;
+    report.firstFrameMilliseconds =
+        millisecondsSinceProcessStart() - renderers.millisecondsSinceFirstPicture();
+    report.controls = view.controls();
+    if (!stats.nonfinite) {
+        // Counted by a shader of its own, so that neither the picture nor its time is that shader's.
+        lighting::Settings settings = view.settings(options.switches);
+        settings.countNonfinite = true;
+        renderer.render(view.scene(), view.camera(), settings, request);
+        stats.nonfinite = renderer.stats().nonfinite;
+    }
+    std::cout << statsJson(report, stats) << '\n';
 }
 
 }  // namespace
@@ -140,54 +135,36 @@ void writePicture(View& view, render::Renderer& renderer, const std::string& pat
     image::write(path, frame, metadata(options, view, switches, renderer));
 }
 
-void runStills(View& view, const Options& options) {
+void drawStill(View& view, const Options& options, Renderers& renderers, Phases& phases) {
     const render::FrameRequest request{options.width.value_or(512), options.height.value_or(512),
                                        wantsFloats(options.frame)};
     view.update(options.time, request.width, request.height);
+    phases.mark("scene");
     if (!options.dumpScene.empty())
         image::writeText(options.dumpScene, THREE::toJSON(view.scene(), &view.camera()));
     if (options.dumpShader)
         dumpShaders(view.plan(options.switches), render::findShaderDirectory(options.shaders));
     if (options.frame.empty() && options.frames == 0 && !options.stats)
         return;
-
-    Drawing drawing(options);
-    render::Renderer& renderer = drawing.renderer();
-    lighting::Settings settings = view.settings(options.switches);
-    const Clock::time_point start = Clock::now();
-    const image::Frame frame = renderer.render(view.scene(), view.camera(), settings, request);
-    StatsReport report{renderer.name(),
-                       request.width,
-                       request.height,
-                       millisecondsSinceProcessStart(),
-                       {millisecondsSince(start)},
-                       view.controls(),
-                       {}};
-    render::FrameStats stats = renderer.stats();
-    if (!options.frame.empty())
+    render::Renderer& renderer = renderers.get(options);
+    phases.mark("context");
+    StatsReport report;
+    const image::Frame frame = drawFrame(view, options, renderer, request, phases, report);
+    renderers.pictureIsDrawn();
+    const render::FrameStats stats = renderer.stats();
+    if (!options.frame.empty()) {
         image::write(options.frame, frame, metadata(options, view, options.switches, renderer));
-    if (!options.frame.empty() && !options.stats)
+        phases.mark("write");
+    }
+    report.phases = phases;
+    if (options.frames > 0)
+        timeFrames(view, options, renderer, request, report);
+    if (options.stats)
+        tellStats(view, options, renderers, request, stats, report);
+    else if (!options.frame.empty())
         tellReadings(view.controls(), options.language);
     if (options.lightCut > 0 && !options.stats)
         tellCut(stats, options);
-    if (options.frames > 0) {
-        Progress progress(options.frames);
-        const LightCost cost = measureLights(view, renderer, options.switches, options.time, request,
-                                             options.frames, [&progress](int done) { progress.step(done); });
-        report.frameMilliseconds = cost.with;
-        report.millisecondsPerLight = cost.each();
-        if (!options.stats)
-            tellTimes(cost, request);
-    }
-    if (options.stats) {
-        if (!stats.nonfinite) {
-            // Counted by a shader of its own, so that neither the picture nor its time is that shader's.
-            settings.countNonfinite = true;
-            renderer.render(view.scene(), view.camera(), settings, request);
-            stats.nonfinite = renderer.stats().nonfinite;
-        }
-        std::cout << statsJson(report, stats) << '\n';
-    }
 }
 
 }  // namespace lab

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/phases.hpp"
+#include "lab/renderers.hpp"
 #include "lab/view.hpp"
 #include "render/renderer.hpp"
 
 namespace lab {
 
-/// Does what the command line asks for without a window.
-void runStills(View& view, const Options& options);
+/// Does what the options ask for without a window, for one picture: alone, or as one of many that share `renderers`.
+/// `phases` goes on from where the caller left it.
+void drawStill(View& view, const Options& options, Renderers& renderers, Phases& phases);
 
 /// Draws what the view shows at `time` and writes it to `path`, with what is needed to know the picture again.
 void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,

@@ -50,7 +50,8 @@ void bringIntoView(THREE::PerspectiveCamera& camera, const THREE::Scene& scene) 
 namespace {
 
 // What the camera orbits: what it was told to look at, else the point on its axis that is nearest the scene's middle.
-Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Options& options) {
+Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Options& options,
+                    const std::optional<Vector3>& knownMiddle) {
     if (options.camera) {
         const CameraOption& wanted = *options.camera;
         camera.position.set(wanted.position[0], wanted.position[1], wanted.position[2]);
@@ -64,24 +65,46 @@ Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const
     const Vector3 eye = camera.matrixWorld.position();
     const Vector3 forward =
         Vector3(glm::dvec3(camera.matrixWorld.elements[2])).normalize().multiplyScalar(-1);
-    const Vector3 middle = worldBounds(scene).center;
+    const Vector3 middle = knownMiddle ? *knownMiddle : worldBounds(scene).center;
     const double along = Vector3(middle).sub(eye).dot(forward);
     return Vector3(forward).multiplyScalar(std::max(along, 2 * camera.near)).add(eye);
 }
 
 }  // namespace
 
+View::Start::Start(const THREE::PerspectiveCamera& camera)
+    : position(camera.position), quaternion(camera.quaternion), rotation(camera.rotation), fov(camera.fov),
+      aspect(camera.aspect) {}
+
+void View::Start::putBack(THREE::PerspectiveCamera& camera) const {
+    camera.position = position;
+    camera.quaternion = quaternion;
+    camera.rotation.setSilently(rotation);
+    camera.fov = fov;
+    camera.aspect = aspect;
+}
+
 View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
-           const Options& options, Controls& controls)
+           const Options& options, Controls& controls, const std::optional<Vector3>& middle)
     : decay(options.decay), scene_(scene), camera_(camera), animation_(animation), options_(options),
-      controls_(controls), orbit_(camera, orbitTarget(scene, camera, options)),
+      controls_(controls), start_(camera), orbit_(camera, orbitTarget(scene, camera, options, middle)),
       jitter_(options.jitter.value_or(0)) {}
 
-void View::update(double time, int width, int height) {
+View::~View() {
     jitter_.undo();
+    restoreDecays();
+    start_.putBack(camera_);
+}
+
+void View::restoreDecays() {
     for (const auto& [light, own] : ownDecays_)
         light->decay = own;
     ownDecays_.clear();
+}
+
+void View::update(double time, int width, int height) {
+    jitter_.undo();
+    restoreDecays();
     controls_.readings.clear();
     if (animation_)
         animation_(time);

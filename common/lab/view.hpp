@@ -15,11 +15,16 @@
 
 namespace lab {
 
-/// Scene, camera and animation of one program, with --camera, --jitter, --decay and --no-skip applied.
+/// Scene, camera and animation of one program, with --camera, --jitter, --decay and --no-skip applied. When it goes, camera,
+/// jitter and exponents are as it found them; an animation puts everything else right itself, being a function of the time.
 class View {
   public:
+    /// `middle` is worldBounds' centre before any animation moved the scene; without one, as the scene is now.
     View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
-         const Options& options, Controls& controls);
+         const Options& options, Controls& controls, const std::optional<THREE::Vector3>& middle = {});
+    ~View();
+    View(const View&) = delete;
+    View& operator=(const View&) = delete;
 
     /// Moves everything to `time` (seconds) and to the sliders, takes the readings, fits the camera to the picture's size and checks the scene.
     /// Throws THREE::SceneError.
@@ -43,11 +48,22 @@ class View {
     }
 
   private:
+    struct Start {  // the camera, as it was found
+        explicit Start(const THREE::PerspectiveCamera& camera);
+        void putBack(THREE::PerspectiveCamera& camera) const;
+        THREE::Vector3 position;
+        THREE::Quaternion quaternion;
+        THREE::Euler rotation;
+        double fov, aspect;
+    };
+    void restoreDecays();
+
     THREE::Scene& scene_;
     THREE::PerspectiveCamera& camera_;
     const Animation& animation_;
     const Options& options_;
     Controls& controls_;
+    Start start_;
     Orbit orbit_;
     Jitter jitter_;
     std::vector<std::pair<THREE::PointLight*, double>> ownDecays_;  // of the lights that `decay` overrides

@@ -5,9 +5,11 @@
 #include "render/error.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
+#include <utility>
 
 namespace render {
 
@@ -15,6 +17,19 @@ namespace {
 
 constexpr std::size_t mostLights =
     200'000;  // with four lights a turn, the most that drivers' loops are sure to finish
+
+// Milliseconds since it was last asked, or made.
+class Stopwatch {
+  public:
+    double lap() {
+        const Clock::time_point before = std::exchange(last_, Clock::now());
+        return std::chrono::duration<double, std::milli>(last_ - before).count();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last_ = Clock::now();
+};
 
 }  // namespace
 
@@ -46,7 +61,12 @@ GlRenderer::~GlRenderer() { glDeleteTextures(1, &shown_); }
 
 image::Frame GlRenderer::render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                                 const lighting::Settings& settings, const FrameRequest& request) {
-    return render(lighting::planFrame(scene, camera, settings), settings, request);
+    Stopwatch watch;
+    const lighting::FramePlan plan = lighting::planFrame(scene, camera, settings);
+    const double planned = watch.lap();
+    image::Frame frame = render(plan, settings, request);
+    stats_.planMilliseconds = planned;
+    return frame;
 }
 
 image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting::Settings& settings,
@@ -54,7 +74,11 @@ image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting:
     RenderTarget& into = target(request, settings.countNonfinite);
     into.bind();
     draw(plan, settings, request.width, request.height);
+    Stopwatch watch;
+    glFinish();  // reading would wait just so; this tells the two apart
+    stats_.finishMilliseconds = watch.lap();
     image::Frame frame = into.read();
+    stats_.readMilliseconds = watch.lap();
     if (settings.countNonfinite)
         stats_.nonfinite = into.countNonfinite();
     if (glGetError() == GL_OUT_OF_MEMORY)

@@ -31,7 +31,7 @@ std::vector<float> vertices(const THREE::BufferGeometry& geometry, const glm::dv
         for (const double x : {v.x, v.y, v.z})
             out.push_back(static_cast<float>(x));
     };
-    for (std::size_t i = 0; i < geometry.vertexCount(); ++i) {
+    for (std::size_t i = 0; i < position->count(); ++i) {
         push(position->getXYZ(i).sub(origin));
         push(normal->getXYZ(i).normalize());
     }

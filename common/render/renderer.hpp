@@ -33,6 +33,9 @@ struct FrameStats {
     std::set<lighting::Variant> variants;  ///< the shaders that drew; none where there are no shaders
     std::uint64_t uploadedBytes = 0;  ///< by this frame: vertices, indices, lights
     double compileMilliseconds = 0;  ///< since the renderer began
+    double planMilliseconds = 0;  ///< deciding what this frame needs; 0 where there is no plan
+    double finishMilliseconds = 0;  ///< waiting for the driver after the last call
+    double readMilliseconds = 0;  ///< fetching the pixels
     std::optional<long long> nonfinite;  ///< pixels that met NaN or infinity; none: not counted
 };
 

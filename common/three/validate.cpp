@@ -133,6 +133,7 @@ void checkLight(const Light& light, const Check& check) {
 void checkGeometry(const BufferGeometry& geometry, const Check& check) {
     if (geometry.validatedVersion() == geometry.version())
         return;
+    const std::size_t vertices = geometry.vertexCount();
     for (const char* name : {"position", "normal"}) {
         const BufferAttribute* attribute = geometry.getAttribute(name);
         if (attribute == nullptr)
@@ -142,10 +143,9 @@ void checkGeometry(const BufferGeometry& geometry, const Check& check) {
             check.fail(field + " must hold 3 numbers per vertex, found itemSize " +
                        std::to_string(attribute->itemSize) + " and " +
                        std::to_string(attribute->array.size()) + " numbers");
-        if (attribute->count() != geometry.vertexCount())
+        if (attribute->count() != vertices)
             check.fail(field + " must have as many vertices as position, expected " +
-                       std::to_string(geometry.vertexCount()) + ", found " +
-                       std::to_string(attribute->count()));
+                       std::to_string(vertices) + ", found " + std::to_string(attribute->count()));
         for (std::size_t i = 0; i < attribute->array.size(); ++i)
             if (!isNumber(attribute->array[i]))
                 check.number(field.c_str(), attribute->array[i], ("[" + std::to_string(i) + "]").c_str());
@@ -154,10 +154,9 @@ void checkGeometry(const BufferGeometry& geometry, const Check& check) {
         check.fail("geometry.index must hold 3 indices per triangle, found " +
                    std::to_string(geometry.index.size()));
     for (std::size_t i = 0; i < geometry.index.size(); ++i)
-        if (geometry.index[i] >= geometry.vertexCount())
+        if (geometry.index[i] >= vertices)
             check.fail("geometry.index[" + std::to_string(i) + "] must be below the number of vertices, " +
-                       std::to_string(geometry.vertexCount()) + ", found " +
-                       std::to_string(geometry.index[i]));
+                       std::to_string(vertices) + ", found " + std::to_string(geometry.index[i]));
     geometry.markValidated();
 }
 

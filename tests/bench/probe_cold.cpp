@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 //   probe_cold FILE.png            one frame, cold process to file, leaving by _exit
+//   probe_cold FILE.png --phases   the same, and says on stdout where the time went: a name and milliseconds on each line
 //   probe_cold --frames N          N steady frames of the same mesh and lights: prints the median in ms
 //
 // Nothing of the lab is linked: EGL surfaceless, one hand-written program with three lights as uniforms, a torus knot of
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -183,9 +185,14 @@ void chunk(std::FILE* file, const char* type, const std::vector<std::uint8_t>& d
     number(static_cast<std::uint32_t>(crc));
 }
 
-bool writePng(const char* path) {
-    std::vector<std::uint8_t> rgba(size * size * 4), raw;
+std::vector<std::uint8_t> readPixels() {
+    std::vector<std::uint8_t> rgba(size * size * 4);
     glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+}
+
+bool writePng(const char* path, const std::vector<std::uint8_t>& rgba) {
+    std::vector<std::uint8_t> raw;
     for (int y = size - 1; y >= 0; --y) {
         raw.push_back(0);
         for (int x = 0; x < size; ++x)
@@ -206,21 +213,54 @@ bool writePng(const char* path) {
     return std::fclose(file) == 0;
 }
 
+// Says how long it is since the last call, or since the program began.
+class Watch {
+  public:
+    explicit Watch(bool speaks) : speaks_(speaks) {}
+    void mark(const char* name) {
+        const auto now = std::chrono::steady_clock::now();
+        if (speaks_)
+            std::printf("%s %g\n", name, std::chrono::duration<double, std::milli>(now - last_).count());
+        last_ = std::chrono::steady_clock::now();
+    }
+
+  private:
+    bool speaks_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    const bool phases = argc == 3 && std::strcmp(argv[2], "--phases") == 0;
     const int frames = argc == 3 && std::strcmp(argv[1], "--frames") == 0 ? std::atoi(argv[2]) : 0;
-    if (argc < 2 || (argc == 3 && frames < 1) || argc > 3) {
-        std::fprintf(stderr, "probe_cold: expected FILE.png or --frames N\n");
+    if (argc < 2 || (argc == 3 && frames < 1 && !phases) || argc > 3) {
+        std::fprintf(stderr, "probe_cold: expected FILE.png, FILE.png --phases or --frames N\n");
         return 2;
     }
+    Watch watch(phases);
+    if (phases)
+        std::printf("load %g\n", static_cast<double>(std::clock()) * 1000 / CLOCKS_PER_SEC);
     makeContext();
+    watch.mark("context");
     setUniforms();
+    watch.mark("compile");
     const GLsizei count = uploadKnot();
+    watch.mark("scene");
     makeTarget();
     drawFrame(count);
-    if (frames == 0)
-        _exit(writePng(argv[1]) ? 0 : 5);
+    watch.mark("draw");
+    if (frames == 0) {
+        if (phases)
+            glFinish();
+        watch.mark("finish");
+        const std::vector<std::uint8_t> rgba = readPixels();
+        watch.mark("read");
+        const bool written = writePng(argv[1], rgba);
+        watch.mark("write");
+        std::fflush(stdout);
+        _exit(written ? 0 : 5);
+    }
     glFinish();
     std::vector<double> times;
     for (int i = 0; i < frames; ++i) {

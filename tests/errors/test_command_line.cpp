@@ -298,9 +298,10 @@ TEST(Information, HelpVersionAndTerms) {
     const TemporaryDirectory directory;
     const Outcome help = support::run({lesson, "--help"}, directory.path());
     EXPECT_EQ(help.status, 0);
-    for (const char* option : {"--frame", "--size", "--time", "--terms", "--decay", "--camera", "--jitter",
-                               "--no-skip", "--set", "--shaders", "--frames", "--stats", "--dump-scene",
-                               "--dump-shader", "--list-terms", "--lang", "--renderer", "--version"})
+    for (const char* option :
+         {"--frame", "--size", "--time", "--terms", "--decay", "--camera", "--jitter", "--no-skip", "--set",
+          "--shaders", "--frames", "--frames-from", "--stats", "--dump-scene", "--dump-shader",
+          "--list-terms", "--lang", "--renderer", "--version"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
     EXPECT_NE(support::run({lesson, "--version"}, directory.path()).out.find("lesson_04_ambient"),
               std::string::npos);

@@ -1,6 +1,8 @@
-// Fuzz target: any bytes as a command line, one argument per line.
+// Fuzz target: any bytes as a command line, one argument per line; and each line as a line of --frames-from.
 // SPDX-License-Identifier: MIT
 #include "fuzz/property.hpp"
+#include "lab/failure.hpp"
+#include "lab/frame_lines.hpp"
 #include "lab/options.hpp"
 
 #include <cmath>
@@ -44,8 +46,23 @@ void checkOptions(const lab::Options& options, bool file) {
     require(options.frames >= 0 && options.frames <= 1'000'000, "--frames took a number out of range");
     require(options.switches.terms.bits() >> lighting::termCount == 0,
             "--terms took a term that does not exist");
+    require(options.framesFrom.empty() || options.frame.empty(), "--frames-from took a --frame beside it");
     if (options.camera)
         checkCamera(*options.camera);
+}
+
+void checkFrameLine(const std::string& line) {
+    lab::Options commandLine;
+    commandLine.lesson = "lesson";
+    try {
+        const lab::Options options = lab::parseFrameLine(lab::splitWords(line), commandLine);
+        checkOptions(options, false);
+        require(!options.frame.empty() && options.framesFrom.empty(), "a line of frames is one frame");
+        require(options.frames == 0 && options.dumpScene.empty() && !options.dumpShader,
+                "a line of frames took what is not about one frame");
+    } catch (const lab::UsageError& error) {
+        require(*error.what() != '\0', "an error without a message");
+    }
 }
 
 void checkEnding(const lab::Ending& ending) {
@@ -66,5 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         else
             checkEnding(std::get<lab::Ending>(parsed));
     }
+    for (const std::string& line : arguments)
+        checkFrameLine(line);
     return 0;
 }

@@ -124,6 +124,53 @@ TEST(Jitter, MovesALittleTheSameEachTimeAndBackAgain) {
     EXPECT_GT(Vector3(places[0][1]).sub({2, 1.5, 5}).length(), 1e-3);
 }
 
+// An animation writes one angle and keeps the others: these must not come back from the quaternion, rounded.
+TEST(Jitter, LeavesTheAnglesThatWereWritten) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::Mesh mesh(box);
+    scene.add(mesh);
+    THREE::PerspectiveCamera camera;
+    camera.position.set(0, 1, 5);
+    for (int i = 0; i < 20; ++i) {
+        mesh.rotation.set(0.1 * i, 0.3, 0.07 * i);
+        lab::Jitter jitter(7);
+        jitter.apply(scene, camera, {});
+        jitter.undo();
+        expectNear({mesh.rotation.x, mesh.rotation.y, mesh.rotation.z}, {0.1 * i, 0.3, 0.07 * i}, 0);
+    }
+}
+
+TEST(View, LeavesEverythingAsItFoundIt) {
+    THREE::Scene scene;
+    THREE::BoxGeometry box;
+    THREE::Mesh mesh(box);
+    THREE::PointLight light(0xFFFFFF, 1, 0, 2);
+    scene.add(mesh, light);
+    THREE::PerspectiveCamera camera(40);
+    camera.position.z = 5;
+    const lab::Animation still;
+    lab::Controls controls;
+    lab::Options options;
+    options.camera = lab::CameraOption{{1, 2, 3}, {0, 0, 0}, 20};
+    options.jitter = 5;
+    options.decay = 1;
+    {
+        lab::View view(scene, camera, still, options, controls);
+        view.update(0, 64, 32);
+        EXPECT_EQ(camera.fov, 20);
+        EXPECT_EQ(camera.aspect, 2);
+        EXPECT_EQ(light.decay, 1);
+        EXPECT_NE(mesh.position.x, 0);
+    }
+    EXPECT_EQ(camera.fov, 40);
+    EXPECT_EQ(camera.aspect, 1);
+    EXPECT_EQ(light.decay, 2);
+    expectNear(mesh.position, {}, 0);
+    expectNear(camera.position, {0, 0, 5}, 0);
+    EXPECT_EQ(camera.rotation.x, 0);
+}
+
 TEST(View, BringsAnySceneIntoView) {
     for (const auto& [size, aspect] :
          {std::pair{1e-6, 1.0}, {1.0, 1.0}, {1e6, 1.0}, {1.0, 0.1}, {1.0, 10.0}}) {
