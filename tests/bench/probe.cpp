@@ -40,11 +40,11 @@ GLuint link(const char* vertexShader, const char* fragmentShader) {
 }
 
 Mesh upload(const std::vector<float>& vertices, const std::vector<std::uint32_t>& index) {
-    Mesh mesh{0, static_cast<GLsizei>(index.size())};
+    Mesh mesh{0, static_cast<GLsizei>(index.size()), {0, 0}};
     glGenVertexArrays(1, &mesh.vertexArray);
     glBindVertexArray(mesh.vertexArray);
-    GLuint names[2];
-    glGenBuffers(2, names);
+    const GLuint* const names = mesh.buffers;
+    glGenBuffers(2, mesh.buffers);
     glBindBuffer(GL_ARRAY_BUFFER, names[0]);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * 4), vertices.data(),
                  GL_STATIC_DRAW);
@@ -66,12 +66,17 @@ void draw(const Mesh& mesh) {
     glBindVertexArray(0);
 }
 
+void release(const Mesh& mesh) {
+    glDeleteVertexArrays(1, &mesh.vertexArray);
+    glDeleteBuffers(2, mesh.buffers);
+}
+
 Target makeTarget(int width, int height) {
-    Target target{0, width, height};
-    GLuint buffers[2];
+    Target target{0, width, height, {0, 0}};
+    const GLuint* const buffers = target.buffers;
     glGenFramebuffers(1, &target.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glGenRenderbuffers(2, buffers);
+    glGenRenderbuffers(2, target.buffers);
     const GLenum format[] = {GL_RGBA8, GL_DEPTH_COMPONENT24},
                  place[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
     for (int i = 0; i < 2; ++i) {
@@ -80,6 +85,11 @@ Target makeTarget(int width, int height) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, place[i], GL_RENDERBUFFER, buffers[i]);
     }
     return target;
+}
+
+void release(const Target& target) {
+    glDeleteFramebuffers(1, &target.framebuffer);
+    glDeleteRenderbuffers(2, target.buffers);
 }
 
 void begin(const Target& target) {

@@ -15,17 +15,21 @@ GLuint link(const char* vertexShader, const char* fragmentShader);
 struct Mesh {
     GLuint vertexArray = 0;
     GLsizei indices = 0;
+    GLuint buffers[2] = {0, 0};  ///< vertices, indices
 };
 /// Six floats for each vertex, three indices for each triangle.
 Mesh upload(const std::vector<float>& vertices, const std::vector<std::uint32_t>& index);
 void draw(const Mesh& mesh);
+void release(const Mesh& mesh);
 
 /// A framebuffer of 8-bit RGBA with depth.
 struct Target {
     GLuint framebuffer = 0;
     int width = 0, height = 0;
+    GLuint buffers[2] = {0, 0};  ///< colour, depth
 };
 Target makeTarget(int width, int height);
+void release(const Target& target);
 /// Binds it, with depth test and back faces culled, and clears it to black.
 void begin(const Target& target);
 /// R, G, B, A of each pixel of the target that is bound, bottom row first.

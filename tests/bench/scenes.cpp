@@ -146,6 +146,13 @@ Probe::Probe(Stage& stage, int width, int height, const std::string& fragmentSha
     });
 }
 
+Probe::~Probe() {
+    glDeleteProgram(program_);
+    for (const probe::Mesh& mesh : meshes_)
+        probe::release(mesh);
+    probe::release(target_);
+}
+
 void Probe::draw() {
     probe::begin(target_);
     if (program_ != 0)

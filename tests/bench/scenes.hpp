@@ -58,6 +58,9 @@ class Probe {
     /// Takes geometries, places and camera from the stage as they stand. `fragmentShader` reads `in vec3 n, Q` (world space)
     /// and writes `out vec4 c`; an empty one clears only.
     Probe(Stage& stage, int width, int height, const std::string& fragmentShader);
+    ~Probe();
+    Probe(const Probe&) = delete;
+    Probe& operator=(const Probe&) = delete;
     /// A frame, waited for.
     void draw();
     /// For setting uniforms; in use after construction.

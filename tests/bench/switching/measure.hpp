@@ -1,0 +1,13 @@
+// The measurements of one process, whose shader cache is as its environment says.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace bench {
+
+/// Measures `part`, "toggle" or "compile", and prints lines `group<TAB>name<TAB>milliseconds`, the first with the group "driver"
+/// and the driver's name. `size` is "", "--quick" or "--smoke". Answers the exit status.
+int switchingChild(const std::string& part, const std::string& size);
+
+}  // namespace bench
