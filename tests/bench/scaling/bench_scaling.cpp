@@ -19,6 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+std::string whole(double x) { return std::to_string(static_cast<long long>(x)); }
+
 struct Bench {
     const bench::Options options;
     bench::Report report;
@@ -56,19 +58,19 @@ class Series {
         const double first = std::chrono::duration<double>(Clock::now() - start).count();
         ours.settle();
         bench::Probe floor(stage, width, width, bench::flatShader);
-        const std::string point = name_ + " " + bench::digits(x);
+        const std::string point = name_ + " " + whole(x);
         const auto ms = bench_.timing.measure(
             {{point, [&] { ours.draw(); }}, {point + ", floor", [&] { floor.draw(); }}}, bench_.rounds());
         points_.push_back({x, ms.at(point)});
         floors_.push_back({x, ms.at(point + ", floor")});
-        bench_.csv += name_ + "," + bench::digits(x) + "," + bench::digits(points_.back().ms) + "," +
+        bench_.csv += name_ + "," + whole(x) + "," + bench::digits(points_.back().ms) + "," +
                       bench::digits(floors_.back().ms) + "\n";
         return std::max(first, points_.back().ms / 1000) < bench_.slowestSeconds();
     }
     void finish() {
         bench_.csv += "\n\n";  // gnuplot's mark between data sets
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            const std::string x = name_ + " " + bench::digits(points_[i].x);
+            const std::string x = name_ + " " + whole(points_[i].x);
             bench_.report.add(x, points_[i].ms, "ms");
             bench_.report.add(x + ", floor", floors_[i].ms, "ms");
         }

@@ -43,7 +43,7 @@ struct Bench {
             timing.measure({{name, [&] { ours.draw(); }}, {yardstickName, yardstick}}, sizes.rounds, 3);
         report.add(name, ms.at(name), "ms");
         report.add(yardstickName, ms.at(yardstickName), "ms");
-        report.add(name + " : " + yardstickName, ms.at(name) / ms.at(yardstickName), "ratio", Goal::atMost,
+        report.add(name + " to " + yardstickName, ms.at(name) / ms.at(yardstickName), "ratio", Goal::atMost,
                    target);
     }
 };
@@ -65,9 +65,9 @@ void litFrames(Bench& b) {
                            lecture ? std::string(bench::lectureShader) : bench::loopShader(64));
         bench::setLights(probe, stage);
         const std::string name = lecture ? "lecture's lights" : "64 point lights",
-                          row = lecture ? "row (c), uniforms" : "row (d), loop over uniforms";
+                          row = lecture ? "row (c): uniforms" : "row (d): loop over uniforms";
         ours.settle();
-        b.report.add(name + ": codes from " + row, bench::codesApart(ours.frame(), probe.frame()), "codes",
+        b.report.add(name + ", codes from " + row, bench::codesApart(ours.frame(), probe.frame()), "codes",
                      Goal::atMost, 1);
         b.compare(
             name, ours, row, [&] { probe.draw(); }, lecture ? 0.85 : 0.35);
@@ -94,11 +94,11 @@ void stillAndMoving(Bench& b) {
     const bool told = ours.renderer.stats().variants != stillVariants;
     ours.settings.skip = false;
     const image::Frame everything = ours.frame();
-    b.report.add("64 lights: codes from still to moving", bench::codesApart(still, moving), "codes",
+    b.report.add("64 lights, codes from still to moving", bench::codesApart(still, moving), "codes",
                  Goal::atMost, 0);
-    b.report.add("64 lights: codes from still to --no-skip", bench::codesApart(still, everything), "codes",
+    b.report.add("64 lights, codes from still to --no-skip", bench::codesApart(still, everything), "codes",
                  Goal::atMost, 0);
-    b.report.add("64 lights: shaders differ between still and moving", told ? 1 : 0, "yes=1");
+    b.report.add("64 lights, shaders differ between still and moving", told ? 1 : 0, "yes=1");
 }
 
 // What needs no lighting must cost what a flat colour costs.
@@ -128,7 +128,7 @@ void unlitFrames(Bench& b) {
     b.report.add(cases[0].name, ms.at(cases[0].name), "ms");
     for (const auto& [name, ours] : frames) {
         b.report.add(name, ms.at(name), "ms");
-        b.report.add(name + " : floor", ms.at(name) / ms.at(cases[0].name), "ratio", Goal::atMost, 1.05);
+        b.report.add(name + " to the floor", ms.at(name) / ms.at(cases[0].name), "ratio", Goal::atMost, 1.05);
     }
 }
 
