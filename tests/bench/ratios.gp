@@ -14,4 +14,4 @@ set key at screen 0.02, screen 0.04 left bottom horizontal
 plot list using 3:($1):ytic(strcol(2)) with points ls 1 ps 1.6 title 'measured', \
      list using 5:1:(0):(0.32) with vectors nohead ls 2 lw 3 notitle, \
      list using 5:1:(0):(-0.32) with vectors nohead ls 2 lw 3 title 'target', \
-     list using 3:1:(sprintf('  %.3g', $3)) with labels left offset 0.8,0 font ',9' notitle
+     list using 3:1:(sprintf($3 < 100 ? '  %.3g' : '  %.0f', $3)) with labels left offset 0.8,0 font ',9' notitle

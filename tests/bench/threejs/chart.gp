@@ -12,4 +12,4 @@ list(who) = "< awk -F'\",' -v OFS=, '$2 ~ /,ms,/ { n++; if ($1 ~ /".who."$/) pri
 set key at screen 0.02, screen 0.04 left bottom horizontal
 plot list('the lab') using 3:1:ytic(strcol(2)) with points ls 1 ps 1.6 title 'the lab', \
      list('three.js r[0-9]*') using 3:1:ytic(strcol(2)) with points ls 2 ps 1.6 title 'three.js', \
-     list('') using 3:1:(sprintf('%.3g', $3)) with labels left offset 1.2,0 font ',9' notitle
+     list('') using 3:1:(sprintf($3 < 100 ? '%.3g' : '%.0f', $3)) with labels left offset 1.2,0 font ',9' notitle
