@@ -9,7 +9,7 @@ set logscale x 2
 set xrange [0.4:300]
 set format xy '%g'
 set key top left
-of(cache, group) = "< awk -F, '$1 == \"".cache."\" && $2 == \"\\\"".group."\\\"\" { gsub(/\"| lights/, \"\", $3); print ($3 == 0 ? 0.5 : $3) \",\" ($4 < 0.1 ? 0.1 : $4) }' '".csv."'"
+of(cache, group) = "< awk -F, '$1 == \"".cache."\" && $2 == \"\\\"".group."\\\"\" && / lights/ { gsub(/\"| lights/, \"\", $3); print ($3 == 0 ? 0.5 : $3) \",\" ($4 < 0.1 ? 0.1 : $4) }' '".csv."'"
 set xtics ('0' 0.5, 1, 2, 4, 8, 16, 32, 64, 128, 256)
 plot of('cold', 'first frame beyond a steady one') using 1:2 with linespoints ls 2 title 'no shader cache', \
      of('cold', 'of which compiling GLSL') using 1:2 with linespoints ls 2 pt 6 dt 2 title 'of which compiling GLSL', \

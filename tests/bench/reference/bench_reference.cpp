@@ -101,7 +101,7 @@ void measure(const bench::Options& options) {
     }
     std::fprintf(stderr, "   %zu pixels covered, checksum %g\n", loop.pixels(), loop.checksum());
     bench::Report report("reference", "none: doubles on the CPU");
-    report.add("reference, 64 lights", bench::median(ours), "ns per pixel and light");
+    report.add("reference under 64 lights", bench::median(ours), "ns per pixel and light");
     report.add("bare loop in scalar doubles", bench::median(bare), "ns per pixel and light");
     report.add("reference to bare loop", bench::median(ours) / bench::median(bare), "ratio");
     report.write(options.out);

@@ -11,6 +11,7 @@
 #include "render/context.hpp"
 #include "render/error.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <optional>
@@ -27,7 +28,11 @@ struct Bench {
     bench::Timing timing;
     std::string csv = "series,x,frame_ms,floor_ms\n";
 
-    int rounds() const { return options.smoke ? 2 : options.quick ? 3 : 9; }
+    /// As many as fit into some seconds.
+    int rounds(double frameSeconds) const {
+        const double seconds = options.quick ? 0.6 : 3;
+        return options.smoke ? 2 : std::clamp(static_cast<int>(seconds / frameSeconds), 2, 25);
+    }
     double slowestSeconds() const { return options.quick ? 0.3 : 2; }
     int size() const { return options.smoke ? 64 : 512; }
     /// The sizes up to the last that this run goes to.
@@ -57,10 +62,14 @@ class Series {
         }
         const double first = std::chrono::duration<double>(Clock::now() - start).count();
         ours.settle();
+        const Clock::time_point later = Clock::now();
+        ours.draw();
+        const double again = std::chrono::duration<double>(Clock::now() - later).count();
         bench::Probe floor(stage, width, width, bench::flatShader);
         const std::string point = name_ + " " + whole(x);
-        const auto ms = bench_.timing.measure(
-            {{point, [&] { ours.draw(); }}, {point + ", floor", [&] { floor.draw(); }}}, bench_.rounds());
+        const auto ms =
+            bench_.timing.measure({{point, [&] { ours.draw(); }}, {point + ", floor", [&] { floor.draw(); }}},
+                                  bench_.rounds(again));
         points_.push_back({x, ms.at(point)});
         floors_.push_back({x, ms.at(point + ", floor")});
         bench_.csv += name_ + "," + whole(x) + "," + bench::digits(points_.back().ms) + "," +
@@ -77,13 +86,24 @@ class Series {
         if (points_.size() < 2)
             return;
         const bench::Line line = bench::fitLine(points_), floor = bench::fitLine(floors_);
-        bench_.report.add(name_ + ": per " + unit_, line.slope * 1e6, "ns");
-        bench_.report.add(name_ + ": floor per " + unit_, floor.slope * 1e6, "ns");
+        addSlope(": per ", line.slope);
+        addSlope(": floor per ", floor.slope);
         bench_.report.add(name_ + ": exponent of the upper half", bench::fitExponent(points_),
                           "log-log slope");
     }
 
   private:
+    void addSlope(const std::string& what, double ms) {
+        const bool large = std::abs(ms) >= 1;
+        const bool small = std::abs(ms) < 1e-3;
+        bench_.report.add(name_ + what + unit_,
+                          large   ? ms
+                          : small ? ms * 1e6
+                                  : ms * 1e3,
+                          large   ? "ms"
+                          : small ? "ns"
+                                  : "us");
+    }
     Bench& bench_;
     std::string name_, unit_;
     std::vector<bench::Point> points_, floors_;

@@ -4,8 +4,7 @@ series(name) = "< awk -F, 'NR == 1 || $1 == \"".name."\"' '".csv."'"
 # What the fit says, from the part's JSON next to the CSV.
 fit(name, unit) = system("awk -F'\"' -v a='".name.": per ".unit."' -v b='".name.": exponent of the upper half' \
     '$2 == \"name\" { n = $4 } $2 == \"value\" { v = $3; gsub(/[:, ]/, \"\", v); if (n == a) x = v; if (n == b) y = v } \
-    END { u = \"ns\"; if (x >= 1e6) { x /= 1e6; u = \"ms\" } else if (x >= 1e3) { x /= 1e3; u = \"us\" } \
-    printf \"%.3g %s per ".unit.", x^%.2f\", x, u, y }' '".csvs."/scaling.json'")
+    $2 == \"unit\" && n == a { u = $4 } END { printf \"%.3g %s per ".unit.", x^%.2f\", x, u, y }' '".csvs."/scaling.json'")
 set multiplot layout 2,2 title 'How a frame grows (512x512 unless said, lit by the lecture''s three lights unless said)' noenhanced
 set logscale xy
 set format x '10^{%L}'

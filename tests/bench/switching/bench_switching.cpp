@@ -41,20 +41,6 @@ class CacheFolder {
     std::string path_;
 };
 
-// What a command prints. Throws std::runtime_error if it fails.
-std::string outputOf(const std::string& command) {
-    std::FILE* pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr)
-        throw std::runtime_error("cannot start " + command);
-    std::string text;
-    char buffer[4096];
-    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-        text.append(buffer, got);
-    if (pclose(pipe) != 0)
-        throw std::runtime_error("failed: " + command);
-    return text;
-}
-
 // One run of `child`, cold and then warm, the lines that it prints being `group<TAB>name<TAB>milliseconds`.
 struct Row {
     std::string cache, group, name;
@@ -76,11 +62,11 @@ std::vector<Row> coldAndWarm(const std::string& part, const bench::Options& opti
                                                : "");
     const CacheFolder cache;
     bench::progress(1, 3, part + ": without Mesa's cache");
-    std::vector<Row> rows = rowsOf("cold", outputOf("MESA_SHADER_CACHE_DISABLE=true " + child));
+    std::vector<Row> rows = rowsOf("cold", bench::outputOf("MESA_SHADER_CACHE_DISABLE=true " + child));
     bench::progress(2, 3, part + ": filling the cache");
-    outputOf(cache.environment() + " " + child);
+    bench::outputOf(cache.environment() + " " + child);
     bench::progress(3, 3, part + ": from the cache");
-    const std::vector<Row> warm = rowsOf("warm", outputOf(cache.environment() + " " + child));
+    const std::vector<Row> warm = rowsOf("warm", bench::outputOf(cache.environment() + " " + child));
     rows.insert(rows.end(), warm.begin(), warm.end());
     return rows;
 }

@@ -10,6 +10,9 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace bench {
 
@@ -87,7 +90,37 @@ void compile(const std::string& amount) {
     }
 }
 
+// The lessons themselves, each a process: what they compile, and when their first frame is there.
+void lessons(const std::string& amount) {
+    namespace fs = std::filesystem;
+    const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
+    for (const fs::directory_entry& entry : fs::directory_iterator(bin)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("lesson_") || (amount == "--smoke" && name != "lesson_04_ambient"))
+            continue;
+        const nlohmann::json stats =
+            nlohmann::json::parse(outputOf("'" + entry.path().string() + "' --stats"), nullptr, false);
+        if (!stats.is_object())
+            throw std::runtime_error(name + " --stats printed no JSON");
+        print("process to first frame", name, stats.at("first_frame_ms"));
+        print("of which compiling GLSL", name, stats.at("compile_ms"));
+    }
+}
+
 }  // namespace
+
+std::string outputOf(const std::string& command) {
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr)
+        throw std::runtime_error("cannot start " + command);
+    std::string text;
+    char buffer[4096];
+    for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+        text.append(buffer, got);
+    if (pclose(pipe) != 0)
+        throw std::runtime_error("failed: " + command);
+    return text;
+}
 
 int switchingChild(const std::string& part, const std::string& amount) {
     try {
@@ -97,7 +130,12 @@ int switchingChild(const std::string& part, const std::string& amount) {
             Ours ours(stage, 8, 8);
             print("driver", ours.renderer.name(), 0);
         }
-        part == "toggle" ? toggle(amount) : compile(amount);
+        if (part == "toggle") {
+            toggle(amount);
+        } else {
+            compile(amount);
+            lessons(amount);
+        }
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_switching: %s\n", error.what());

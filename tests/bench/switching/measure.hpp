@@ -10,4 +10,7 @@ namespace bench {
 /// and the driver's name. `size` is "", "--quick" or "--smoke". Answers the exit status.
 int switchingChild(const std::string& part, const std::string& size);
 
+/// What a command prints on stdout. Throws std::runtime_error if it fails.
+std::string outputOf(const std::string& command);
+
 }  // namespace bench
