@@ -86,7 +86,7 @@ void measure(const bench::Options& options) {
     camera.lookAt(0, 0, 0);
 
     const Reference<double> reference(scene, camera, lighting::TermSet::all(), size, size);
-    std::vector<double> red(static_cast<std::size_t>(size) * size);
+    std::vector<double> red(static_cast<std::size_t>(size * size));
     std::vector<double> ours, bare;
     BareLoop loop(reference);
     const double perPixelLight = 1 / (static_cast<double>(loop.pixels()) * lightCount);
