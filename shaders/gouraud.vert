@@ -9,8 +9,10 @@ uniform vec3 baseColor;  // D, slide 27
 uniform vec3 emissive;   // light of its own
 
 out vec3 frontColor;
+invariant frontColor;  // as variant.glsl's pixel
 #if DOUBLE_SIDED
 out vec3 backColor;
+invariant backColor;
 #endif
 #if COUNT_NONFINITE
 out float metNonfinite;

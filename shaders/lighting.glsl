@@ -7,6 +7,7 @@
 //
 // SPDX-License-Identifier: MIT
 #include "lights.glsl"
+#include "clusters.glsl"
 #include "range.glsl"
 // the factors
 #include "terms/albedo.glsl"

@@ -33,6 +33,7 @@ void watch_nan(vec3 v) {}
 #ifdef FRAGMENT_SHADER
 
 layout(location = 0) out vec4 pixel;
+invariant pixel;  // the same bits whatever else a variant has: no compiler may, say, take a common factor out of the sum
 #if COUNT_NONFINITE
 layout(location = 1) out vec4 nonfinite;  // a second target
 #endif

@@ -43,8 +43,8 @@ class Live {
   public:
     Live(View& view, Window& window, const Options& options)
         : view_(view), window_(window), options_(options),
-          renderer_(render::findShaderDirectory(options.shaders)), switches_(options.switches),
-          time_(options.time), legend_(view.controls().sliders().empty()) {}
+          renderer_(render::findShaderDirectory(options.shaders), render::Compile::aside),
+          switches_(options.switches), time_(options.time), legend_(view.controls().sliders().empty()) {}
 
     void run() {
         while (!leave_) {

@@ -3,6 +3,7 @@
 #include "lab/stats.hpp"
 
 #include "lab/light_cost.hpp"
+#include "three/validate.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -34,6 +35,11 @@ std::string variantText(const lighting::Variant& v) {
             out << " point:" << name << '=' << count;
     if (v.window)
         out << " window";
+    for (unsigned group = 0; group < 4; ++group)
+        if ((v.clustered >> group & 1U) != 0)
+            out << " clustered:" << groups[group].first;
+    if (v.lit && v.storage != lighting::LightStorage::uniforms)
+        out << (v.storage == lighting::LightStorage::constants ? " constants" : " texture");
     if (v.scaled)
         out << " scaled";
     if (v.ambient)
@@ -73,7 +79,7 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
         variantList += (variantList.empty() ? "" : "; ") + variant;
     Json skipped = Json::array();
     for (const lighting::Skipped& s : frame.skipped)
-        skipped.push_back({{"what", s.what}, {"why", s.why}});
+        skipped.push_back({{"what", THREE::describe(*s.object)}, {"why", s.why}});
     std::vector<double> times = report.frameMilliseconds;
     std::sort(times.begin(), times.end());
     const std::size_t n = times.size();
@@ -83,7 +89,11 @@ std::string statsJson(const StatsReport& report, const render::FrameStats& frame
     json["height"] = report.height;
     json["shader_variant"] = variantList;
     json["meshes"] = {{"drawn", frame.meshesDrawn}, {"skipped", frame.meshesSkipped}};
-    json["lights"] = {{"used", frame.lightsUsed}, {"skipped", frame.lightsSkipped}};
+    json["lights"] = {
+        {"used", frame.lightsUsed}, {"skipped", frame.lightsSkipped}, {"pairs_skipped", frame.pairsSkipped}};
+    json["back_faces_skipped"] = frame.sidesSkipped;
+    json["clusters"] = {{"count", frame.clusters}, {"entries", frame.clusterEntries}};
+    json["light_cut_codes"] = frame.cutCodes;
     json["skipped"] = skipped;
     json["draw_calls"] = frame.drawCalls;
     json["triangles"] = frame.triangles;

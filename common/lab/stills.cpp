@@ -62,7 +62,7 @@ void dumpShaders(const lighting::FramePlan& plan, const std::string& directory) 
     for (const lighting::Draw& draw : plan.draws)
         if (seen.insert(draw.variant).second)
             std::cout << "// ==== variant: " << variantText(draw.variant) << '\n'
-                      << render::dumpShaders(directory, draw.variant);
+                      << render::dumpShaders(directory, plan, draw);
 }
 
 // A bar on stderr for what takes longer than two seconds, where somebody looks.

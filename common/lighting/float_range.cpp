@@ -2,98 +2,100 @@
 // SPDX-License-Identifier: MIT
 #include "lighting/float_range.hpp"
 
+#include "lighting/mesh_bounds.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 namespace lighting {
 
 namespace {
 
-constexpr double nearestInside =
-    -14;  // log2 of the distance that a light inside a mesh's box is taken to have
+constexpr double nearestPlain = -14;  // log2 of a distance at which no exponent up to 6 is extreme
 constexpr double largestFactor = 1e30;  // what one share can reach in the plain formula
 constexpr double largestSum = 1e37;
 
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-// The distances that a light can have from the points of a mesh, as powers of two.
-struct Distances {
-    double nearest, farthest;
-    bool inside;  // the light is in the box: nearest is a guess
-};
-
-// Where a mesh is, frame space: formed once for all lights.
-class Bounds {
-  public:
-    Bounds(const Draw& draw, const THREE::Box3& box, const THREE::Sphere& sphere)
-        : linear_(draw.model), place_(draw.model[3]), origin_(draw.origin), box_(box),
-          center_(draw.model * glm::dvec4(glm::dvec3(sphere.center) - draw.origin, 1)) {
-        const double stretch = std::sqrt(glm::dot(linear_[0], linear_[0]) + glm::dot(linear_[1], linear_[1]) +
-                                         glm::dot(linear_[2], linear_[2]));
-        radius_ = sphere.radius * stretch;
-        const double determinant = glm::determinant(linear_);
-        turnsRound_ = determinant != 0 && std::isfinite(1 / determinant);
-        if (turnsRound_)
-            inverse_ = glm::inverse(linear_);
-    }
-
-    Distances to(const glm::dvec3& light) const {
-        const double between = glm::length(light - center_);
-        const double farthest = std::log2(std::max(between + radius_, 1e-300));
-        if (between > 1.5 * radius_)
-            return {std::log2(between - radius_), farthest, false};
-        // Near the mesh the sphere says nothing: the box in object space does, if that is not too flat to be turned round.
-        double nearest = 0;
-        if (turnsRound_) {
-            const glm::dvec3 local = inverse_ * (light - place_) + origin_;
-            const glm::dvec3 inBox = glm::clamp(local, glm::dvec3(box_.min), glm::dvec3(box_.max));
-            nearest = glm::length(linear_ * (local - inBox));
-        }
-        return nearest > 0 ? Distances{std::log2(nearest), farthest, false}
-                           : Distances{nearestInside, farthest, true};
-    }
-
-  private:
-    glm::dmat3 linear_, inverse_{1.0};
-    glm::dvec3 place_, origin_;
-    THREE::Box3 box_;
-    glm::dvec3 center_;
-    double radius_ = 0;
-    bool turnsRound_ = false;
-};
+double strength(const PointAddend& light) { return std::max(largest(light.color), light.intensity); }
 
 // Whether d^(k + 1) and d^2 of distances from 2^nearest to 2^farthest are numbers that floats hold well.
-bool divisorsFit(const Distances& d, double k) {
+bool divisorsFit(double nearest, double farthest, double k) {
     const double power = std::max(k + 1, 2.0);
-    return power * d.nearest >= -99 && power * d.farthest <= 120 && 2 * d.farthest <= 120;
+    return power * nearest >= -99 && power * farthest <= 120 && 2 * farthest <= 120;
+}
+
+// Whether a draw's sum fits when so much light arrives.
+bool sumFits(const Draw& draw, double light) {
+    const double fresnel =
+        draw.variant.blinn ? std::max(largest(draw.specular), 1.0) : largest(draw.specular);
+    const double highlight = fresnel * std::max(1.0, (draw.shininess + 2) / 8);
+    return (std::max(largest(draw.albedo), 1.0) + highlight) * light + largest(draw.emitted) <= largestSum;
 }
 
 }  // namespace
 
 double powerOfTwoBelow(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 
-bool needsScaling(const FramePlan& plan, const Draw& draw, const THREE::Box3& box,
-                  const THREE::Sphere& sphere) {
-    double strongest = largest(plan.ambient);
+FloatRange::FloatRange(const FramePlan& plan) : plan_(plan), everywhere_(largest(plan.ambient)) {
     for (const DirectionalAddend& light : plan.directional)
-        strongest += std::max(largest(light.color), light.intensity);
-    const Bounds bounds(draw, box, sphere);
+        everywhere_ += light.dark ? 0 : std::max(largest(light.color), light.intensity);
+    worst_ = everywhere_;
     for (const PointAddend& light : plan.point) {
-        const Distances d = bounds.to(light.position);
-        if (light.exponent != 0 || !divisorsFit(d, light.decay))
+        if (light.dark)
+            continue;
+        low_ = byX_.empty() ? light.position : glm::min(low_, light.position);
+        high_ = byX_.empty() ? light.position : glm::max(high_, light.position);
+        byX_.push_back(&light);
+        worst_ += strength(light) * (light.decay == 0 ? 1 : largestFactor);
+        steepest_ = std::max(steepest_, light.decay);
+        extreme_ |= light.exponent != 0;
+    }
+    std::sort(byX_.begin(), byX_.end(),
+              [](const PointAddend* a, const PointAddend* b) { return a->position.x < b->position.x; });
+}
+
+// A quick answer, which nearly every mesh gets: the lights lie in a box, and the few that are about the mesh's own are
+// looked at one by one.
+bool FloatRange::clearlyStays(const Draw& draw, const MeshBounds& bounds) const {
+    const glm::dvec3 away = glm::max(glm::abs(low_ - bounds.center()), glm::abs(high_ - bounds.center()));
+    const double farthest = std::log2(std::max(glm::length(away) + bounds.radius(), 1e-300));
+    if (extreme_ || !divisorsFit(nearestPlain, farthest, steepest_) || !sumFits(draw, worst_))
+        return false;
+    const double margin = std::exp2(nearestPlain);
+    const glm::dvec3 low = bounds.low() - margin, high = bounds.high() + margin;
+    auto light = std::lower_bound(byX_.begin(), byX_.end(), low.x,
+                                  [](const PointAddend* l, double x) { return l->position.x < x; });
+    for (; light != byX_.end() && (*light)->position.x <= high.x; ++light) {
+        const glm::dvec3& at = (*light)->position;
+        if (at.y < low.y || at.y > high.y || at.z < low.z || at.z > high.z)
+            continue;
+        const MeshBounds::Distances d = bounds.to(at);
+        if (!d.inside && d.nearest < nearestPlain)
+            return false;
+    }
+    return true;
+}
+
+bool FloatRange::leftBy(const Draw& draw) const {
+    if (byX_.empty())
+        return !sumFits(draw, everywhere_);
+    const MeshBounds bounds(draw);
+    if (clearlyStays(draw, bounds))
+        return false;
+    double sum = everywhere_;
+    for (const PointAddend& light : plan_.point) {
+        if (light.dark)
+            continue;
+        const MeshBounds::Distances d = bounds.to(light.position);
+        if (light.exponent != 0 || !divisorsFit(d.nearest, d.farthest, light.decay))
             return true;
         const double factor = light.decay == 0 ? 1
                               : d.inside       ? largestFactor
                                                : std::min(std::exp2(-light.decay * d.nearest), largestFactor);
-        strongest += std::max(largest(light.color), light.intensity) * factor;
+        sum += strength(light) * factor;
     }
-    const double fresnel =
-        draw.variant.blinn ? std::max(largest(draw.specular), 1.0) : largest(draw.specular);
-    const double highlight = fresnel * std::max(1.0, (draw.shininess + 2) / 8);
-    return !((std::max(largest(draw.albedo), 1.0) + highlight) * strongest + largest(draw.emitted) <=
-             largestSum);
+    return !sumFits(draw, sum);
 }
 
 void fitToFloats(PointAddend& light, double unit, bool attenuated) {

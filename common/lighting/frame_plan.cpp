@@ -3,6 +3,7 @@
 #include "lighting/frame_plan.hpp"
 
 #include "lighting/float_range.hpp"
+#include "lighting/light_sets.hpp"
 #include "three/validate.hpp"
 
 #include <algorithm>
@@ -66,10 +67,6 @@ glm::dmat3 withoutInverseTranspose(const glm::dmat3& model) {
     return largest > 0 ? model / largest : model;
 }
 
-int decayGroup(const PointAddend& light) {
-    return light.decay == 0 ? 0 : light.decay == 1 ? 1 : light.decay == 2 ? 2 : 3;
-}
-
 class Planner {
   public:
     Planner(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, const Settings& settings)
@@ -85,6 +82,9 @@ class Planner {
         near_ = camera.near / plan_.unit;
         toLighting_ = lightingSpace(settings.space, place);
         plan_.eye = toLighting_ * place[3];
+        plan_.lightingToView = view_ * glm::inverse(toLighting_);
+        plan_.projection = projection_;
+        plan_.near = near_;
     }
 
     FramePlan run(const THREE::Scene& scene) {
@@ -94,13 +94,12 @@ class Planner {
             if (const auto* light = dynamic_cast<const THREE::Light*>(&object))
                 addLight(*light);
         });
-        std::stable_sort(plan_.point.begin(), plan_.point.end(),
-                         [](const auto& a, const auto& b) { return decayGroup(a) < decayGroup(b); });
-        const Variant lights = lightVariant();
-        scene.traverseVisible([this, &lights](const THREE::Object3D& object) {
+        const FloatRange range(plan_);
+        scene.traverseVisible([this, &range](const THREE::Object3D& object) {
             if (const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object))
-                addMesh(*mesh, lights);
+                addMesh(*mesh, range);
         });
+        distributeLights(plan_, settings_, hasAmbient_);
         if (settings_.skip)
             std::stable_sort(plan_.draws.begin(), plan_.draws.end(),
                              [](const Draw& a, const Draw& b) { return a.nearestDepth < b.nearestDepth; });
@@ -109,35 +108,42 @@ class Planner {
 
   private:
     void skipLight(const THREE::Light& light, const char* why) {
-        plan_.skipped.push_back({THREE::describe(light), why});
+        plan_.skipped.push_back({&light, why});
         ++plan_.lightsSkipped;
     }
 
     void skipMesh(const THREE::Mesh& mesh, const char* why) {
-        plan_.skipped.push_back({THREE::describe(mesh), why});
+        plan_.skipped.push_back({&mesh, why});
         ++plan_.meshesSkipped;
+    }
+
+    // Why a light adds exactly nothing to any pixel; null if it may add something.
+    const char* whyDark(const THREE::Light& light, Term term) const {
+        if (light.intensity == 0)
+            return "its intensity is 0";
+        // A black light still shines when light_color is off: white of the same intensity.
+        if (isZero(toVec(light.radiance())) &&
+            (term == Term::ambient || settings_.terms.has(Term::lightColor)))
+            return "its colour is black";
+        return settings_.terms.has(term) ? nullptr : "its term is off";
     }
 
     void addLight(const THREE::Light& light) {
         const glm::dvec3 color = toVec(light.radiance());
-        if (settings_.skip && light.intensity == 0)
-            return skipLight(light, "its intensity is 0");
-        const bool ambient = dynamic_cast<const THREE::AmbientLight*>(&light) != nullptr;
-        plan_.lightColorMatters |= !ambient && color != glm::dvec3(light.intensity);
-        // A black light still shines when light_color is off: white of the same intensity.
-        if (settings_.skip && isZero(color) && (ambient || settings_.terms.has(Term::lightColor)))
-            return skipLight(light, "its colour is black");
-        const Term term = ambient                                                     ? Term::ambient
+        const Term term = dynamic_cast<const THREE::AmbientLight*>(&light) != nullptr ? Term::ambient
                           : dynamic_cast<const THREE::PointLight*>(&light) != nullptr ? Term::point
                                                                                       : Term::directional;
-        if (settings_.skip && !settings_.terms.has(term))
-            return skipLight(light, "its term is off");
+        plan_.lightColorMatters |=
+            term != Term::ambient && light.intensity != 0 && color != glm::dvec3(light.intensity);
+        const char* const dark = whyDark(light, term);
+        if (settings_.skip && dark != nullptr)
+            return skipLight(light, dark);
         ++plan_.lightsUsed;
-        if (ambient) {
-            plan_.ambient += color;
+        if (term == Term::ambient) {
+            plan_.ambient += dark == nullptr ? color : glm::dvec3(0);
             hasAmbient_ = true;
         } else {
-            addAddend(light, color);
+            addAddend(light, color, dark != nullptr);
         }
     }
 
@@ -150,50 +156,24 @@ class Planner {
         return m;
     }
 
-    void addAddend(const THREE::Light& light, const glm::dvec3& color) {
+    void addAddend(const THREE::Light& light, const glm::dvec3& color, bool dark) {
         if (const auto* point = dynamic_cast<const THREE::PointLight*>(&light)) {
             const glm::dvec3 position = glm::dvec3(point->matrixWorld.position()) - plan_.anchor;
-            PointAddend addend{position, color, light.intensity, point->decay, point->distance};
-            fitToFloats(addend, plan_.unit, settings_.terms.has(Term::attenuation));
+            PointAddend addend{position, color, light.intensity, point->decay, point->distance,
+                               0,        dark,  &light};
+            const bool attenuated = settings_.terms.has(Term::attenuation);
+            fitToFloats(addend, plan_.unit, attenuated);
+            if (attenuated && addend.distance > 0)
+                addend.reach = addend.distance;
             addend.position = toLighting_ * glm::dvec4(addend.position, 1);
             plan_.point.push_back(addend);
         } else if (const auto* directional = dynamic_cast<const THREE::DirectionalLight*>(&light)) {
             const glm::dvec3 w = directional->directionTowardsLight();
-            plan_.directional.push_back({glm::dmat3(toLighting_) * w, color, light.intensity});
+            plan_.directional.push_back({glm::dmat3(toLighting_) * w, color, light.intensity, dark, &light});
         }
     }
 
-    // What all lit draws of this frame share: counts, and the terms without those that nothing here uses.
-    Variant lightVariant() {
-        Variant v;
-        v.lit = true;
-        v.directional = static_cast<int>(plan_.directional.size());
-        int* const groups[] = {&v.decay0, &v.decay1, &v.decay2, &v.decayOther};
-        for (const PointAddend& light : plan_.point) {
-            ++*groups[decayGroup(light)];
-            v.window |= light.distance > 0;
-        }
-        v.ambient = hasAmbient_;
-        v.countNonfinite = settings_.countNonfinite;
-        v.perVertex = settings_.shading == Shading::vertex;
-        TermSet used = settings_.terms;
-        if (settings_.skip) {
-            const auto drop = [&used](bool unused, std::initializer_list<Term> list) {
-                for (const Term term : list)
-                    used = unused ? used.without(term) : used;
-            };
-            drop(v.directional == 0, {Term::directional});
-            drop(v.point() == 0, {Term::point, Term::attenuation});
-            drop(v.point() == v.decay0 && !v.window, {Term::attenuation});
-            drop(v.directional + v.point() == 0,
-                 {Term::cosine, Term::clamp, Term::lightColor, Term::specular});
-            drop(!v.ambient, {Term::ambient});
-        }
-        v.terms = used.bits();
-        return v;
-    }
-
-    void addMesh(const THREE::Mesh& mesh, const Variant& lights) {
+    void addMesh(const THREE::Mesh& mesh, const FloatRange& range) {
         const THREE::BufferGeometry& geometry = *mesh.geometry;
         const THREE::Material& material = *mesh.material;
         if (!material.visible)
@@ -226,15 +206,17 @@ class Planner {
                     geometry.getAttribute("normal") == nullptr;
         draw.variant.countNonfinite = settings_.countNonfinite;
         if (material.isLit())
-            light(draw, lights);
+            light(draw, range);
+        showSides(draw);
         plan_.draws.push_back(draw);
     }
 
-    // What a lit material adds to a draw.
-    void light(Draw& draw, const Variant& lights) {
-        const THREE::BufferGeometry& geometry = *draw.mesh->geometry;
+    // What a lit material adds to a draw; its lights come later (distributeLights).
+    void light(Draw& draw, const FloatRange& range) {
         const THREE::Material& material = *draw.mesh->material;
-        draw.variant = lights;
+        draw.variant.lit = true;
+        draw.variant.perVertex = settings_.shading == Shading::vertex;
+        draw.variant.terms = settings_.terms.bits();
         draw.variant.doubleSided = material.side != THREE::FrontSide;
         if (const auto* phong = dynamic_cast<const THREE::MeshPhongMaterial*>(&material)) {
             const bool blinn =
@@ -249,12 +231,24 @@ class Planner {
             draw.variant.terms &= ~TermSet::none().with(Term::specular).bits();
         // Beyond 2^40 near positions interpolate badly; the direction to the eye needs squares that fit as well.
         const bool extremeView = shiny && (near_ < 0x1p-50 || draw.reach > 0x1p60);
-        draw.variant.scaled = draw.reach > 0x1p40 * near_ || extremeView ||
-                              needsScaling(plan_, draw, geometry.boundingBox(), geometry.boundingSphere());
+        draw.variant.scaled = draw.reach > 0x1p40 * near_ || extremeView || range.leftBy(draw);
         plan_.litMeshes = true;
         plan_.shiny |= shiny;
         plan_.emissive |= !isZero(draw.emitted);
         plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
+    }
+
+    // Which faces are drawn. Those on the back of a closed mesh are hidden by those on its front for an eye outside.
+    void showSides(Draw& draw) {
+        draw.side = draw.mesh->material->side;
+        if (draw.side != THREE::DoubleSide || !settings_.skip || !(draw.nearestDepth > near_) ||
+            !draw.mesh->geometry->isConvexSolid())
+            return;
+        draw.side = THREE::FrontSide;
+        draw.variant.doubleSided = false;
+        ++plan_.sidesSkipped;
+        plan_.skipped.push_back(
+            {draw.mesh, "its back faces are hidden: it is closed, and seen from outside"});
     }
 
     // Depth of the bounding sphere; false if it is wholly outside one of the planes of the view.
@@ -267,6 +261,7 @@ class Planner {
             stretch += glm::dot(glm::dvec3(toView[column]), glm::dvec3(toView[column]));
         const double radius = sphere.radius * std::sqrt(stretch) * (1 + 1e-9);
         draw.nearestDepth = -inView.z - radius;
+        draw.farthestDepth = -inView.z + radius;
         draw.reach = glm::length(inView) + radius;
         const glm::dmat4 rows = glm::transpose(projection_);
         for (int axis = 0; axis < 3; ++axis)

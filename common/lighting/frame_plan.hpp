@@ -7,9 +7,12 @@
 #include "three/scene.hpp"
 
 #include <compare>
+#include <cstddef>
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,10 @@ struct Settings : Switches {
     bool skip =
         true;  ///< false: every draw, light, term, cull and upload that could be dropped is kept (--no-skip)
     bool countNonfinite = false;  ///< count pixels where an operand was NaN or infinite
+    double lightCut =
+        0;  ///< what point and directional lights may lack at a pixel, 8-bit codes (--light-cut); >= 0
+    int constantLights = 64;  ///< sums of more lights have none of them compiled in as constants
+    int uniformLights = 256;  ///< more lights than this are in a texture
     glm::dvec3 focus{0};  ///< the point that the camera orbits, world space: the anchor is near it
     double focusDistance = 1;  ///< from the camera to the focus, world units, > 0
 };
@@ -29,6 +36,8 @@ struct DirectionalAddend {
     glm::dvec3 w;  ///< unit vector towards the light, lighting space
     glm::dvec3 color;  ///< L = color x intensity
     double intensity;  ///< what stays when light_color is off
+    bool dark = false;  ///< adds exactly nothing: only --no-skip keeps it
+    const THREE::Light* light = nullptr;  ///< whose addend it is
 };
 
 /// An addend whose light comes from a point (slides 29-31).
@@ -39,6 +48,30 @@ struct PointAddend {
     double decay;  ///< k of f(d) = 1/d^k
     double distance;  ///< where the window reaches 0, frame units; 0: no window
     double exponent = 0;  ///< not 0 only where color would not fit in a float
+    bool dark = false;  ///< adds exactly nothing: only --no-skip keeps it
+    const THREE::Light* light = nullptr;  ///< whose addend it is
+    /// Frame units: beyond it nothing arrives (`distance`), or less than --light-cut lets go of. Infinite: shines everywhere.
+    double reach = std::numeric_limits<double>::infinity();
+};
+
+/// Which loop of the shader a light is in: 0, 1, 2 for these exponents, 3 for any other.
+inline unsigned decayGroup(const PointAddend& light) {
+    return light.decay == 0 ? 0 : light.decay == 1 ? 1 : light.decay == 2 ? 2 : 3;
+}
+
+/// The point lights of a mesh's sum: numbers of FramePlan::point, ascending. All directional ones are in it, unless it is `empty`.
+struct LightSet {
+    std::vector<std::uint32_t> point;
+    bool empty = false;  ///< no light at all, no ambient either: what is black stays black
+
+    auto operator<=>(const LightSet&) const = default;
+};
+
+/// Where a shader has the numbers of its lights from: the same formula and the same bits.
+enum class LightStorage {
+    constants,  ///< compiled in, but for those that move
+    uniforms,
+    texture  ///< too many for uniforms
 };
 
 /// What decides which shader is compiled: only what this scene has. The point lights stand sorted by exponent.
@@ -57,6 +90,11 @@ struct Variant {
     int decay1 = 0;  ///< ... with k = 1
     int decay2 = 0;  ///< ... with k = 2
     int decayOther = 0;  ///< ... with any other exponent, which goes through pow
+    LightStorage storage = LightStorage::uniforms;
+    /// Exponents that lights of clusters have, which are not counted above (lighting/light_clusters.hpp): bits 0 to 3 for k = 0, 1, 2,
+    /// others.
+    unsigned clustered = 0;
+    bool longLoops = false;  ///< so many lights that a driver might end a loop over them early
 
     int point() const { return decay0 + decay1 + decay2 + decayOther; }
     auto operator<=>(const Variant&) const = default;
@@ -76,15 +114,19 @@ struct Draw {
     glm::dvec3 specular{0};  ///< K_S; 0 and not Variant::blinn for materials that do not shine
     double shininess = 0;  ///< s
     bool flat = false;  ///< one normal per triangle
+    std::size_t lights = 0;  ///< which of FramePlan::lightSets
     Variant variant;
     bool mirrored = false;  ///< the model matrix turns triangles round: front faces are clockwise
     double reach = 0;  ///< from the eye to the farthest point of its bounding sphere, frame units
     double nearestDepth = 0;  ///< of its bounding sphere, view space in frame units; draws are sorted by it
+    double farthestDepth = 0;  ///< the same
+    THREE::Side side =
+        THREE::FrontSide;  ///< which faces are drawn: the material's, or fewer where the others are hidden
 };
 
-/// Something that the frame does without, exactly.
+/// Something that the frame does without: exactly, or within --light-cut.
 struct Skipped {
-    std::string what;  ///< the object, as THREE::describe calls it, or the term
+    const THREE::Object3D* object;  ///< a mesh or a light; THREE::describe names it
     std::string why;
 };
 
@@ -97,12 +139,23 @@ struct FramePlan {
     glm::dvec3 eye{0};  ///< where the camera is, lighting space
     glm::dvec3 ambient{0};  ///< sum of the ambient lights: L_A
     std::vector<DirectionalAddend> directional;
-    std::vector<PointAddend> point;  ///< sorted by exponent: 0, 1, 2, others; scene order within each
+    /// Sorted by exponent: 0, 1, 2, others; scene order within each. Where Variant::clustered is not 0, those with a finite
+    /// reach come last, sorted alike.
+    std::vector<PointAddend> point;
+    std::vector<LightSet> lightSets;  ///< the first has all lights
     std::vector<Draw> draws;  ///< front to back
     std::vector<Skipped> skipped;
     int meshesSkipped = 0;
     int lightsUsed = 0;  ///< ambient ones included
     int lightsSkipped = 0;
+    long long pairsSkipped =
+        0;  ///< a mesh and a directional or point light that its sum does without, lights skipped as a whole not counted
+    int sidesSkipped = 0;  ///< meshes whose back faces are hidden, and not drawn
+    double cutCodes =
+        0;  ///< what --light-cut really takes from no pixel's sum more of, 8-bit codes: at most what was allowed
+    glm::dmat4 lightingToView{1.0};  ///< lighting space to view space, both in frame units
+    glm::dmat4 projection{1.0};  ///< view space to clip space
+    double near = 0;  ///< the near plane's depth, frame units
     bool litMeshes = false;  ///< some drawn material is lit
     bool emissive = false;  ///< some lit material gives off light of its own
     bool shiny = false;  ///< some drawn material has a highlight

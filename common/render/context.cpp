@@ -102,4 +102,41 @@ HeadlessContext::~HeadlessContext() {
     eglTerminate(display_);
 }
 
+SharedContext::SharedContext() : display_(eglGetCurrentDisplay()) {
+    const EGLContext current = eglGetCurrentContext();
+    EGLint id = 0, count = 0;
+    if (display_ == EGL_NO_DISPLAY || current == EGL_NO_CONTEXT ||
+        eglQueryContext(display_, current, EGL_CONFIG_ID, &id) == EGL_FALSE)
+        return;
+    const EGLint same[] = {EGL_CONFIG_ID, id, EGL_NONE};
+    EGLConfig config = nullptr;
+    if (eglChooseConfig(display_, same, &config, 1, &count) == EGL_FALSE || count == 0)
+        return;
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+    context_ = eglCreateContext(display_, config, current, version);
+    EGLint surfaces = 0;
+    eglGetConfigAttrib(display_, config, EGL_SURFACE_TYPE, &surfaces);
+    const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
+    if (context_ != EGL_NO_CONTEXT && (surfaces & EGL_PBUFFER_BIT) != 0)
+        surface_ = eglCreatePbufferSurface(display_, config, size);
+    eglGetError();  // a refusal above is an answer, not an error of this thread's next call
+}
+
+SharedContext::~SharedContext() {
+    if (surface_ != EGL_NO_SURFACE)
+        eglDestroySurface(display_, surface_);
+    if (context_ != EGL_NO_CONTEXT)
+        eglDestroyContext(display_, context_);
+}
+
+bool SharedContext::makeCurrent() {
+    eglBindAPI(EGL_OPENGL_ES_API);
+    return usable() && eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE;
+}
+
+void SharedContext::release() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglReleaseThread();
+}
+
 }  // namespace render

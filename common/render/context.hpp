@@ -19,4 +19,25 @@ class HeadlessContext {
     void* context_ = nullptr;  // EGLContext
 };
 
+/// A second context that shares shaders and programs with the one that is current where it is made; for another thread.
+class SharedContext {
+  public:
+    /// usable() is false where the driver has none.
+    SharedContext();
+    ~SharedContext();
+    SharedContext(const SharedContext&) = delete;
+    SharedContext& operator=(const SharedContext&) = delete;
+
+    bool usable() const { return context_ != nullptr; }
+    /// Makes it current on the calling thread. False if the driver refuses.
+    bool makeCurrent();
+    /// Gives it back; call it on the thread where it is current.
+    void release();
+
+  private:
+    void* display_ = nullptr;  // EGLDisplay
+    void* context_ = nullptr;  // EGLContext
+    void* surface_ = nullptr;  // EGLSurface of a few pixels in the window's own format, or none
+};
+
 }  // namespace render

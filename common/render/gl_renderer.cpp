@@ -14,11 +14,12 @@ namespace render {
 namespace {
 
 constexpr std::size_t mostLights =
-    65'000;  // Mesa's software drivers stop after 65,535 turns of all loops together
+    200'000;  // with four lights a turn, the most that drivers' loops are sure to finish
 
 }  // namespace
 
-GlRenderer::GlRenderer(std::string shaderDirectory) : programs_(std::move(shaderDirectory)) {
+GlRenderer::GlRenderer(std::string shaderDirectory, Compile when)
+    : programs_(std::move(shaderDirectory), when) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDisable(GL_DITHER);  // a code is the equation's value rounded, nothing else
@@ -109,11 +110,17 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
             std::to_string(mostLights) +
             ", because drivers end a shader's loop there without a word. Leave some out, or draw with "
             "--renderer reference.");
-    const std::uint64_t before = geometries_.uploadedBytes() + lights_.uploadedBytes();
+    const auto uploaded = [this] {
+        return geometries_.uploadedBytes() + lights_.uploadedBytes() + clusters_.uploadedBytes();
+    };
+    const std::uint64_t before = uploaded();
     stats_ = FrameStats{};
     stats_.meshesSkipped = plan.meshesSkipped;
     stats_.lightsUsed = plan.lightsUsed;
     stats_.lightsSkipped = plan.lightsSkipped;
+    stats_.pairsSkipped = plan.pairsSkipped;
+    stats_.sidesSkipped = plan.sidesSkipped;
+    stats_.cutCodes = plan.cutCodes;
     stats_.skipped = plan.skipped;
     stats_.shiny = plan.shiny;
     glViewport(0, 0, width, height);
@@ -132,20 +139,31 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
         glClearBufferfv(GL_COLOR, 1, unmarked);
 
     lights_.set(plan);
+    if (std::any_of(plan.draws.begin(), plan.draws.end(),
+                    [](const lighting::Draw& mesh) { return mesh.variant.clustered != 0; })) {
+        clusters_.set(lighting::clusterLights(plan, settings.skip), width, height, settings.skip);
+        stats_.clusters = clusters_.clusters().count();
+        stats_.clusterEntries = clusters_.clusters().lights.size();
+    }
     for (const lighting::Draw& mesh : plan.draws)
         drawMesh(mesh, plan.eye, settings);
     glBindVertexArray(0);
     geometries_.endFrame();
-    stats_.uploadedBytes = geometries_.uploadedBytes() + lights_.uploadedBytes() - before;
+    stats_.uploadedBytes = uploaded() - before;
     stats_.compileMilliseconds = programs_.compileMilliseconds();
 }
 
 void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
                           const lighting::Settings& settings) {
-    Program& program = programs_.get(draw.variant);
+    lighting::Variant variant = draw.variant;
+    if (variant.storage == lighting::LightStorage::constants && !lights_.settled())
+        variant.storage = lighting::LightStorage::uniforms;
+    Program& program = programs_.get(variant, lights_.of(draw.lights));
     glUseProgram(program.id);
-    if (draw.variant.lit)
-        lights_.use(program, settings.skip);
+    if (variant.lit)
+        lights_.use(program, draw.lights, settings.skip);
+    if (variant.clustered != 0)
+        clusters_.use(program);
     const GpuGeometry& geometry = geometries_.get(draw, settings.skip);
 
     const glm::mat4 clip(draw.clip);
@@ -164,12 +182,11 @@ void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosit
     glUniform1f(program.shininess, static_cast<float>(draw.shininess));
     glUniform3fv(program.eyePosition, 1, glm::value_ptr(eye));
 
-    const THREE::Side side = draw.mesh->material->side;
-    if (side == THREE::DoubleSide)
+    if (draw.side == THREE::DoubleSide)
         glDisable(GL_CULL_FACE);
     else
         glEnable(GL_CULL_FACE);
-    glCullFace(side == THREE::BackSide ? GL_FRONT : GL_BACK);
+    glCullFace(draw.side == THREE::BackSide ? GL_FRONT : GL_BACK);
     glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
 
     glBindVertexArray(geometry.vertexArray);
@@ -177,7 +194,7 @@ void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosit
         glDrawElements(GL_TRIANGLES, geometry.count, GL_UNSIGNED_INT, nullptr);
     else
         glDrawArrays(GL_TRIANGLES, 0, geometry.count);
-    stats_.variants.insert(draw.variant);
+    stats_.variants.insert(variant);
     ++stats_.drawCalls;
     ++stats_.meshesDrawn;
     stats_.triangles += geometry.count / 3;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/gpu_clusters.hpp"
 #include "render/gpu_geometry.hpp"
 #include "render/gpu_lights.hpp"
 #include "render/program.hpp"
@@ -15,7 +16,8 @@ namespace render {
 /// Draws with the context that is current when it is made and whenever it is used.
 class GlRenderer final : public Renderer {
   public:
-    explicit GlRenderer(std::string shaderDirectory);
+    /// Compile::aside is for windows: no frame waits for a program that another one can stand in for.
+    explicit GlRenderer(std::string shaderDirectory, Compile when = Compile::atOnce);
     ~GlRenderer() override;
     GlRenderer(const GlRenderer&) = delete;
     GlRenderer& operator=(const GlRenderer&) = delete;
@@ -27,6 +29,9 @@ class GlRenderer final : public Renderer {
                     const lighting::Settings& settings, const FrameRequest& request) override;
     FrameStats stats() const override { return stats_; }
     std::string name() const override;
+
+    /// Waits until every program that is being compiled aside is ready.
+    void finishCompiling() { programs_.finish(); }
 
     /// Draws a plan instead of a scene; tests change plans by hand.
     image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
@@ -46,6 +51,7 @@ class GlRenderer final : public Renderer {
     Programs programs_;
     GpuGeometries geometries_;
     GpuLights lights_;
+    GpuClusters clusters_;
     std::unique_ptr<RenderTarget> target_;
     GLuint shown_ = 0;  // texture of showInWindow
     FrameStats stats_;

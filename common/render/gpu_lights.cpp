@@ -3,6 +3,7 @@
 #include "render/gpu_lights.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <limits>
 
 namespace render {
@@ -11,9 +12,18 @@ namespace {
 
 constexpr std::size_t lightsPerRow = 512;  // shaders/lights.glsl counts on it
 
-float toFloat(double x) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(x, -largest, largest));
+bool same(const LightNumbers& a, const LightNumbers& b) {
+    return a.geometry == b.geometry && a.radiance == b.radiance && a.falloff == b.falloff;
+}
+
+// The vec4s of a sum as the uniforms have them: of all its lights, or of those that move.
+std::vector<glm::vec4> inUniforms(const std::vector<glm::vec4>& all, const std::vector<bool>& moves,
+                                  bool onlyMoving) {
+    std::vector<glm::vec4> out;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!onlyMoving || moves[i])
+            out.push_back(all[i]);
+    return out;
 }
 
 }  // namespace
@@ -21,69 +31,85 @@ float toFloat(double x) {
 GpuLights::~GpuLights() { glDeleteTextures(1, &texture_); }
 
 void GpuLights::set(const lighting::FramePlan& plan) {
-    count_ = plan.directional.size() + plan.point.size();
-    data_.assign(count_ * 12 + 3, 0.0F);
-    std::size_t i = 0;
-    const auto write = [this](std::size_t light, std::size_t part, const glm::dvec3& v, double w) {
-        float* const out = &data_[(part * count_ + light) * 4];
-        out[0] = toFloat(v.x);
-        out[1] = toFloat(v.y);
-        out[2] = toFloat(v.z);
-        out[3] = toFloat(w);
-    };
-    for (const lighting::DirectionalAddend& light : plan.directional) {
-        write(i, 0, light.w, 0);
-        write(i++, 1, light.color, light.intensity);
-    }
-    for (const lighting::PointAddend& light : plan.point) {
-        write(i, 0, light.position, 0);
-        write(i, 1, light.color, light.intensity);
-        const double perDistance = light.distance > 0 ? 1 / light.distance : 0;
-        write(i++, 2, {perDistance, light.decay, light.exponent}, 0);
-    }
-    for (int channel = 0; channel < 3; ++channel)
-        data_[count_ * 12 + static_cast<std::size_t>(channel)] = toFloat(plan.ambient[channel]);
+    std::swap(before_, all_);
+    all_ = numbersOf(plan);
+    ambient_ = glm::vec3(glm::min(plan.ambient, glm::dvec3(std::numeric_limits<float>::max())));
+    watch();
+    sets_.clear();
+    for (const lighting::LightSet& set : plan.lightSets)
+        sets_.push_back(pick(all_, plan, set));
 }
 
-void GpuLights::use(Program& program, bool reuse) {
-    if (program.lightData >= 0)
-        uploadTexture(reuse);
-    if (reuse && program.lights == data_)
+// Which lights move. Another number of lights is another scene, in which nothing has moved yet.
+void GpuLights::watch() {
+    const std::vector<bool> movedBefore = before_.moves;
+    if (all_.count() != before_.count()) {
+        framesStill_.assign(all_.count(), framesToStandStill);
+        framesSettled_ = framesToSettle;
         return;
-    const GLsizei n = static_cast<GLsizei>(count_);
-    const float* const radiance = data_.data() + count_ * 4;
-    const float* const falloff = data_.data() + count_ * 8;
-    if (program.lightGeometry >= 0)
-        glUniform4fv(program.lightGeometry, n, data_.data());
-    if (program.lightRadiance >= 0)
-        glUniform4fv(program.lightRadiance, n, radiance);
-    if (program.lightFalloff >= 0)
-        glUniform4fv(program.lightFalloff, n, falloff);
-    glUniform3fv(program.ambientLight, 1, data_.data() + count_ * 12);
-    program.lights = data_;
-    uploaded_ += program.lightData >= 0 ? 3 * sizeof(float) : data_.size() * sizeof(float);
+    }
+    for (std::size_t i = 0; i < all_.count(); ++i) {
+        const bool changed = all_.geometry[i] != before_.geometry[i] ||
+                             all_.radiance[i] != before_.radiance[i] || all_.falloff[i] != before_.falloff[i];
+        framesStill_[i] = changed ? 0 : std::min(framesStill_[i] + 1, framesToStandStill);
+        all_.moves[i] = framesStill_[i] < framesToStandStill;
+    }
+    framesSettled_ = all_.moves == movedBefore ? std::min(framesSettled_ + 1, framesToSettle) : 0;
+}
+
+void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
+    if (!reuse || program.ambient != ambient_) {
+        glUniform3fv(program.ambientLight, 1, &ambient_.x);
+        uploaded_ += program.ambientLight >= 0 ? sizeof ambient_ : 0;
+        program.ambient = ambient_;
+    }
+    if (program.lightData >= 0) {
+        uploadTexture(reuse);
+        return;
+    }
+    if (program.lightGeometry < 0 && program.lightRadiance < 0 && program.lightFalloff < 0)
+        return;  // all are constants
+    const LightNumbers& set = sets_[lightSet];
+    const LightNumbers now{inUniforms(set.geometry, set.moves, program.constants),
+                           inUniforms(set.radiance, set.moves, program.constants),
+                           inUniforms(set.falloff, set.moves, program.constants),
+                           {}};
+    if (reuse && same(program.lights, now))
+        return;
+    const auto send = [this](GLint place, const std::vector<glm::vec4>& values) {
+        if (place < 0 || values.empty())
+            return;
+        glUniform4fv(place, static_cast<GLsizei>(values.size()), &values[0].x);
+        uploaded_ += values.size() * sizeof values[0];
+    };
+    send(program.lightGeometry, now.geometry);
+    send(program.lightRadiance, now.radiance);
+    send(program.lightFalloff, now.falloff);
+    program.lights = now;
 }
 
 void GpuLights::uploadTexture(bool reuse) {
+    glActiveTexture(GL_TEXTURE0);
     if (texture_ == 0) {
         glGenTextures(1, &texture_);
         glBindTexture(GL_TEXTURE_2D, texture_);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
-    glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture_);
-    if (reuse && inTexture_ == data_)
+    if (reuse && same(inTexture_, all_))
         return;
-    const std::size_t rows = (count_ + lightsPerRow - 1) / lightsPerRow;
-    std::vector<float> texels(rows * lightsPerRow * 12, 0.0F);
-    for (std::size_t light = 0; light < count_; ++light)
-        for (std::size_t part = 0; part < 3; ++part)
-            std::copy_n(&data_[(part * count_ + light) * 4], 4, &texels[(light * 3 + part) * 4]);
+    const std::size_t rows = (all_.count() + lightsPerRow - 1) / lightsPerRow;
+    std::vector<glm::vec4> texels(rows * lightsPerRow * 3, glm::vec4(0));
+    for (std::size_t light = 0; light < all_.count(); ++light) {
+        texels[light * 3] = all_.geometry[light];
+        texels[light * 3 + 1] = all_.radiance[light];
+        texels[light * 3 + 2] = all_.falloff[light];
+    }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, lightsPerRow * 3, static_cast<GLsizei>(rows), 0, GL_RGBA,
                  GL_FLOAT, texels.data());
-    inTexture_ = data_;
-    uploaded_ += texels.size() * sizeof(float);
+    inTexture_ = all_;
+    uploaded_ += texels.size() * sizeof texels[0];
 }
 
 }  // namespace render

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/program.hpp"
 
+#include "render/compile_aside.hpp"
 #include "render/error.hpp"
 #include "render/shader_source.hpp"
 
@@ -13,30 +14,105 @@ namespace render {
 namespace {
 
 constexpr int mostUniformLights = 256;
+constexpr std::size_t mostPrograms = 256;
+
+// The numbers that are compiled into a program: of each light a 1 if it moves, or a 0 and what it is.
+std::vector<float> constantsOf(const lighting::Variant& variant, const LightNumbers& lights) {
+    std::vector<float> out;
+    if (variant.storage != lighting::LightStorage::constants)
+        return out;
+    for (std::size_t i = 0; i < lights.count(); ++i) {
+        out.push_back(lights.moves[i] ? 1.0F : 0.0F);
+        if (!lights.moves[i])
+            for (const glm::vec4& v : {lights.geometry[i], lights.radiance[i], lights.falloff[i]})
+                out.insert(out.end(), &v.x, &v.x + 4);
+    }
+    return out;
+}
 
 }  // namespace
 
-Programs::Programs(std::string shaderDirectory) : directory_(std::move(shaderDirectory)) {
+Programs::Programs(std::string shaderDirectory, Compile when) : directory_(std::move(shaderDirectory)) {
     GLint fragment = 0, vertex = 0;
     glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_VECTORS, &fragment);  // at least 224
     glGetIntegerv(GL_MAX_VERTEX_UNIFORM_VECTORS, &vertex);  // at least 256
     uniformLights_ = std::min((std::min(fragment, vertex) - 24) / 3, mostUniformLights);
+    if (when == Compile::aside)
+        aside_ = std::make_unique<CompileAside>();
+    if (aside_ && !aside_->usable())
+        aside_.reset();
 }
 
 Programs::~Programs() {
-    for (const auto& [variant, program] : programs_)
+    aside_.reset();  // before the programs that it may still compile have nobody to go to
+    for (const auto& [key, program] : programs_)
         glDeleteProgram(program.id);
 }
 
-Program& Programs::get(const lighting::Variant& variant) {
-    const auto known = programs_.find(variant);
-    if (known != programs_.end())
-        return known->second;
+Program& Programs::get(const lighting::Variant& variant, const LightNumbers& lights) {
+    if (aside_)
+        collect(false);
+    const ProgramKey key{variant, constantsOf(variant, lights)};
+    const auto known = programs_.find(key);
+    Program* program = known == programs_.end() ? nullptr : &known->second;
+    if (aside_ && variant.storage == lighting::LightStorage::constants) {
+        ProgramKey general{variant, {}};
+        general.first.storage = lighting::LightStorage::uniforms;
+        const auto stand = programs_.find(general);
+        if (program == nullptr && stand != programs_.end()) {
+            buildAside(key, lights);
+            program = &stand->second;
+        } else if (stand == programs_.end()) {
+            buildAside(general, {});  // for when a light begins to move
+        }
+    }
+    if (program == nullptr && underWay_.contains(key)) {
+        collect(true);
+        program = &programs_.at(key);
+    }
+    if (program == nullptr)
+        program = &buildNow(key, lights);
+    program->lastUsed = ++calls_;
+    if (programs_.size() > mostPrograms)
+        forgetOldest();
+    return *program;
+}
+
+Program& Programs::buildNow(const ProgramKey& key, const LightNumbers& lights) {
     const auto start = std::chrono::steady_clock::now();
-    Program& program = programs_.emplace(variant, build(variant)).first->second;
+    Program& program = programs_.emplace(key, build(key.first, lights)).first->second;
     milliseconds_ +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return program;
+}
+
+void Programs::buildAside(const ProgramKey& key, const LightNumbers& lights) {
+    if (underWay_.insert(key).second)
+        aside_->ask(key, [this, variant = key.first, lights] { return build(variant, lights); });
+}
+
+void Programs::collect(bool wait) {
+    for (CompileAside::Done& done : aside_->take(wait)) {
+        underWay_.erase(done.key);
+        if (done.error)
+            std::rethrow_exception(done.error);
+        if (!programs_.emplace(std::move(done.key), done.program).second)
+            glDeleteProgram(done.program.id);  // there is one by now
+    }
+}
+
+void Programs::finish() {
+    if (aside_)
+        collect(true);
+}
+
+// Lights that were moved by hand leave a program behind wherever they stood.
+void Programs::forgetOldest() {
+    const auto oldest =
+        std::min_element(programs_.begin(), programs_.end(),
+                         [](const auto& a, const auto& b) { return a.second.lastUsed < b.second.lastUsed; });
+    glDeleteProgram(oldest->second.id);
+    programs_.erase(oldest);
 }
 
 GLuint Programs::compile(GLenum stage, const std::string& file, const std::string& preamble) const {
@@ -60,13 +136,16 @@ GLuint Programs::compile(GLenum stage, const std::string& file, const std::strin
                       "Correct the file and try again; --dump-shader writes the whole variant.");
 }
 
-Program Programs::build(const lighting::Variant& variant) {
-    const bool texture = variant.directional + variant.point() > uniformLights_;
+Program Programs::build(const lighting::Variant& wanted, const LightNumbers& lights) const {
+    lighting::Variant variant = wanted;
+    if (variant.storage == lighting::LightStorage::uniforms &&
+        variant.directional + variant.point() > uniformLights_)
+        variant.storage = lighting::LightStorage::texture;  // this driver has few uniforms
     const ShaderFiles files = shaderFiles(variant);
-    const GLuint vertex = compile(GL_VERTEX_SHADER, files.vertex, preamble(variant, false, texture));
+    const GLuint vertex = compile(GL_VERTEX_SHADER, files.vertex, preamble(variant, lights, false));
     GLuint fragment = 0;
     try {
-        fragment = compile(GL_FRAGMENT_SHADER, files.fragment, preamble(variant, true, texture));
+        fragment = compile(GL_FRAGMENT_SHADER, files.fragment, preamble(variant, lights, true));
     } catch (...) {
         glDeleteShader(vertex);
         throw;
@@ -103,6 +182,11 @@ Program Programs::build(const lighting::Variant& variant) {
     locate(program.lightRadiance, "lightRadiance");
     locate(program.lightFalloff, "lightFalloff");
     locate(program.lightData, "lightData");
+    locate(program.clusterBegins, "clusterBegins");
+    locate(program.clusterLights, "clusterLights");
+    locate(program.clusterGrid, "clusterGrid");
+    locate(program.clusterScale, "clusterScale");
+    program.constants = variant.storage == lighting::LightStorage::constants;
     return program;
 }
 
@@ -113,10 +197,12 @@ ShaderFiles shaderFiles(const lighting::Variant& variant) {
                              : ShaderFiles{"mesh.vert", "mesh.frag"};
 }
 
-std::string dumpShaders(const std::string& directory, const lighting::Variant& variant) {
-    const bool texture = variant.directional + variant.point() > mostUniformLights;
+std::string dumpShaders(const std::string& directory, const lighting::FramePlan& plan,
+                        const lighting::Draw& draw) {
+    const lighting::Variant& variant = draw.variant;
+    const LightNumbers lights = pick(numbersOf(plan), plan, plan.lightSets[draw.lights]);
     const auto part = [&](const std::string& file, bool fragment) {
-        const ShaderSource source = readShader(directory, file, preamble(variant, fragment, texture));
+        const ShaderSource source = readShader(directory, file, preamble(variant, lights, fragment));
         return "// ==== " + file + "\n" + source.text + "\n";
     };
     const ShaderFiles files = shaderFiles(variant);

@@ -3,10 +3,16 @@
 #pragma once
 
 #include "lighting/frame_plan.hpp"
+#include "render/light_numbers.hpp"
 
 #include <GLES3/gl3.h>
+#include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace render {
@@ -27,37 +33,68 @@ struct Program {
     GLint lightRadiance = -1;
     GLint lightFalloff = -1;
     GLint lightData = -1;
-    std::vector<float> lights;  ///< what the light uniforms hold now, so that nothing is uploaded twice
+    GLint clusterBegins = -1;
+    GLint clusterLights = -1;
+    GLint clusterGrid = -1;
+    GLint clusterScale = -1;
+    bool constants = false;  ///< lights that stand still are compiled in
+    LightNumbers lights;  ///< what the light uniforms hold now, so that nothing is uploaded twice
+    glm::vec3 ambient{-1};  ///< the same; no ambient light is negative
+    std::uint64_t lastUsed = 0;  ///< counts calls of Programs::get
 };
+
+/// What tells programs apart: the variant, and the numbers of the lights that are compiled in.
+using ProgramKey = std::pair<lighting::Variant, std::vector<float>>;
+
+/// When a program that is missing is compiled.
+enum class Compile {
+    atOnce,  ///< the frame waits for it
+    aside  ///< frames go on with a program that does the same in another form, where there is one
+};
+
+class CompileAside;
 
 /// The programs of one context.
 class Programs {
   public:
-    explicit Programs(std::string shaderDirectory);
+    /// Compile::aside keeps for each variant whose lights are constants the same with lights as uniforms, and draws with that one
+    /// while the other is being compiled on a thread of its own.
+    Programs(std::string shaderDirectory, Compile when);
     ~Programs();
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    /// The program of a variant. Throws ShaderError with file:line if it does not compile.
-    Program& get(const lighting::Variant& variant);
+    /// The program of a variant; where lights are constants, with those of `lights` that stand still compiled in. Throws
+    /// ShaderError with file:line if it does not compile.
+    Program& get(const lighting::Variant& variant, const LightNumbers& lights);
     /// More lights than this go into a texture: what the driver's uniforms hold, less some for everything else.
     int uniformLights() const { return uniformLights_; }
+    /// Waits for what is being compiled aside.
+    void finish();
     /// Time spent in get() on compiling and linking, milliseconds.
     double compileMilliseconds() const { return milliseconds_; }
 
   private:
-    Program build(const lighting::Variant& variant);
+    Program build(const lighting::Variant& variant, const LightNumbers& lights) const;
+    Program& buildNow(const ProgramKey& key, const LightNumbers& lights);
+    void buildAside(const ProgramKey& key, const LightNumbers& lights);
+    void collect(bool wait);
+    void forgetOldest();
     GLuint compile(GLenum stage, const std::string& file, const std::string& preamble) const;
 
     std::string directory_;
-    std::map<lighting::Variant, Program> programs_;
+    std::map<ProgramKey, Program> programs_;
+    std::set<ProgramKey> underWay_;  // asked for aside
+    std::uint64_t calls_ = 0;
     int uniformLights_ = 0;
     double milliseconds_ = 0;
+    std::unique_ptr<CompileAside> aside_;  // none: everything at once
 };
 
-/// The two shaders of a variant as they are compiled, one after the other under a comment line each (--dump-shader).
-/// No context is needed: beyond 256 lights they are in a texture on every driver, below that as most drivers have it.
-std::string dumpShaders(const std::string& directory, const lighting::Variant& variant);
+/// The two shaders of a draw as they are compiled, one after the other under a comment line each (--dump-shader).
+/// No context is needed: lights are in constants, uniforms or a texture as most drivers have them.
+std::string dumpShaders(const std::string& directory, const lighting::FramePlan& plan,
+                        const lighting::Draw& draw);
 
 /// The file names of a variant's shaders.
 struct ShaderFiles {

@@ -22,7 +22,13 @@ struct FrameStats {
     int meshesSkipped = 0;
     int lightsUsed = 0;  ///< ambient ones included
     int lightsSkipped = 0;
-    std::vector<lighting::Skipped> skipped;  ///< what and why
+    long long pairsSkipped =
+        0;  ///< a mesh and a light that ends before it, or that its black surface swallows
+    int sidesSkipped = 0;  ///< closed meshes whose hidden back faces were not drawn
+    double cutCodes = 0;  ///< the most that --light-cut took from a pixel, 8-bit codes
+    std::size_t clusters = 0;  ///< parts of the picture with a list of lights of their own; 0: none needed
+    std::size_t clusterEntries = 0;  ///< lights in all their lists
+    std::vector<lighting::Skipped> skipped;  ///< what and why; the objects must still be there
     bool shiny = false;  ///< some material has a highlight
     std::set<lighting::Variant> variants;  ///< the shaders that drew; none where there are no shaders
     std::uint64_t uploadedBytes = 0;  ///< by this frame: vertices, indices, lights

@@ -4,8 +4,10 @@
 
 #include "image/home.hpp"
 #include "render/error.hpp"
+#include "render/shader_loops.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -60,7 +62,10 @@ std::string includedFile(const std::string& line) {
 
 class Reader {
   public:
-    explicit Reader(const std::string& directory) : directory_(directory) {}
+    Reader(const std::string& directory, const std::string& preamble)
+        : directory_(directory), loops_(preamble) {
+        own(preamble);
+    }
 
     ShaderSource source;
 
@@ -78,18 +83,28 @@ class Reader {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             if (const std::string wanted = includedFile(lines[i]); !wanted.empty())
                 include(wanted, name + ":" + std::to_string(i + 1) + ": ");
+            else if (const std::optional<Loop> loop = loops_.read(lines, i))
+                i = write(*loop, lines, name);
             else
                 add(lines[i], {name, i + 1});
         }
     }
 
   private:
+    // Writes a loop out, and returns its last line.
+    std::size_t write(const Loop& loop, const std::vector<std::string>& lines, const std::string& name) {
+        for (const LoopLine& line : loops_.writeOut(loop, lines))
+            add(line.text, {name, line.from + 1});
+        return loop.last;
+    }
+
     void add(const std::string& line, ShaderLine place) {
         source.text += line + "\n";
         source.lines.push_back(std::move(place));
     }
 
     const std::string& directory_;
+    const LoopWriter loops_;
     std::set<std::string> included_;
 };
 
@@ -116,13 +131,47 @@ std::string findShaderDirectory(const std::string& asked) {
 }
 
 ShaderSource readShader(const std::string& directory, const std::string& file, const std::string& preamble) {
-    Reader reader(directory);
-    reader.own(preamble);
+    Reader reader(directory, preamble);
     reader.include(file, "");
     return std::move(reader.source);
 }
 
-std::string preamble(const lighting::Variant& v, bool fragment, bool lightsInTexture) {
+namespace {
+
+// A GLSL array of the numbers of all lights, exactly; those that move are not compiled in.
+std::string constantArray(const char* name, const std::vector<glm::vec4>& values,
+                          const std::vector<bool>& moves) {
+    std::string out = std::string("const vec4 ") + name + "[" + std::to_string(values.size()) + "] = vec4[" +
+                      std::to_string(values.size()) + "](\n";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const glm::vec4 v = moves[i] ? glm::vec4(0) : values[i];
+        char line[128];
+        std::snprintf(line, sizeof line, "    vec4(%.9e, %.9e, %.9e, %.9e)%s\n", static_cast<double>(v.x),
+                      static_cast<double>(v.y), static_cast<double>(v.z), static_cast<double>(v.w),
+                      i + 1 < values.size() ? "," : "");
+        out += line;
+    }
+    return out + ");\n";
+}
+
+std::string lightConstants(const LightNumbers& lights) {
+    std::string places;
+    int moving = 0;
+    for (const bool moves : lights.moves) {
+        places += places.empty() ? "" : ", ";
+        places += std::to_string(moves ? moving++ : -1);
+    }
+    const std::string count = std::to_string(lights.count());
+    return "const int UNIFORM_LIGHT[" + count + "] = int[" + count + "](" + places + ");\n" +
+           constantArray("LIGHT_GEOMETRY", lights.geometry, lights.moves) +
+           constantArray("LIGHT_RADIANCE", lights.radiance, lights.moves) +
+           constantArray("LIGHT_FALLOFF", lights.falloff, lights.moves);
+}
+
+}  // namespace
+
+std::string preamble(const lighting::Variant& v, const LightNumbers& lights, bool fragment) {
+    using lighting::LightStorage;
     std::ostringstream out;
     out << "#version 300 es\nprecision highp float;\nprecision highp int;\n";
     out << "#define " << (fragment ? "FRAGMENT" : "VERTEX") << "_SHADER\n";
@@ -131,19 +180,33 @@ std::string preamble(const lighting::Variant& v, bool fragment, bool lightsInTex
     };
     define("DOUBLE_SIDED", v.doubleSided);
     define("COUNT_NONFINITE", v.countNonfinite);
-    if (v.lit) {
-        for (const lighting::TermInfo& row : lighting::terms())
-            define(row.define, static_cast<int>(v.terms >> static_cast<unsigned>(row.term) & 1U));
-        define("WINDOW", v.window);
-        define("SCALED", v.scaled);
-        out << "#define BLINN " << (v.blinn ? "true" : "false") << '\n';
-        define("NUM_DIRECTIONAL_LIGHTS", v.directional);
-        define("NUM_POINT_LIGHTS", v.point());
-        define("END_DECAY_0", v.decay0);
-        define("END_DECAY_1", v.decay0 + v.decay1);
-        define("END_DECAY_2", v.decay0 + v.decay1 + v.decay2);
-        define("LIGHTS_IN_TEXTURE", lightsInTexture);
-    }
+    if (!v.lit)
+        return out.str();
+    for (const lighting::TermInfo& row : lighting::terms())
+        define(row.define, static_cast<int>(v.terms >> static_cast<unsigned>(row.term) & 1U));
+    define("WINDOW", v.window);
+    define("SCALED", v.scaled);
+    out << "#define BLINN " << (v.blinn ? "true" : "false") << '\n';
+    define("NUM_DIRECTIONAL_LIGHTS", v.directional);
+    define("NUM_POINT_LIGHTS", v.point());
+    define("END_DECAY_0", v.decay0);
+    define("END_DECAY_1", v.decay0 + v.decay1);
+    define("END_DECAY_2", v.decay0 + v.decay1 + v.decay2);
+    define("CLUSTERED", v.clustered != 0);
+    const char* const clustered[] = {"CLUSTERED_DECAY_0", "CLUSTERED_DECAY_1", "CLUSTERED_DECAY_2",
+                                     "CLUSTERED_DECAY_OTHER"};
+    for (unsigned group = 0; group < 4; ++group)
+        out << "#define " << clustered[group] << ((v.clustered >> group & 1U) != 0 ? " true\n" : " false\n");
+    define("LONG_LOOPS", v.longLoops);
+    define("LIGHTS_IN_TEXTURE", v.storage == LightStorage::texture);
+    const bool constants = v.storage == LightStorage::constants && lights.count() > 0;
+    define("LIGHTS_ARE_CONSTANTS", constants);
+    const auto inUniforms =
+        constants ? std::count(lights.moves.begin(), lights.moves.end(), true) : v.directional + v.point();
+    define("SOME_LIGHTS_MOVE", constants && inUniforms > 0);
+    define("NUM_UNIFORM_LIGHTS", static_cast<int>(std::max<std::ptrdiff_t>(inUniforms, 1)));
+    if (constants)
+        out << lightConstants(lights);
     return out.str();
 }
 

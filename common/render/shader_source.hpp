@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lighting/frame_plan.hpp"
+#include "render/light_numbers.hpp"
 
 #include <string>
 #include <vector>
@@ -28,12 +29,14 @@ struct ShaderSource {
 std::string findShaderDirectory(const std::string& asked);
 
 /// Reads `file`, puts each #include "x" in its place, once each, after `preamble`. Both are paths below `directory`, or,
-/// where that has no such file, below the lab's own folder. Throws ShaderError for a missing file, with the file:line of
+/// where that has no such file, below the lab's own folder. A loop under `#pragma unroll` is written out where the
+/// preamble's lights are constants (shader_loops.hpp). Throws ShaderError for a missing file, with the file:line of
 /// the #include.
 ShaderSource readShader(const std::string& directory, const std::string& file, const std::string& preamble);
 
-/// The #version, precision and #define lines that make a variant; `fragment` tells the stages apart.
-std::string preamble(const lighting::Variant& variant, bool fragment, bool lightsInTexture);
+/// The #version, precision and #define lines that make a variant, and the lights that are constants in it; `fragment` tells
+/// the stages apart.
+std::string preamble(const lighting::Variant& variant, const LightNumbers& lights, bool fragment);
 
 /// A driver's message with our files: "terms/cosine.glsl:7: ..." and the lines around the first error.
 std::string explain(const std::string& driverMessage, const std::string& directory,

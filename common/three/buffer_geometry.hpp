@@ -98,6 +98,10 @@ class BufferGeometry : public Resource {
         updateBounds();
         return sphere_;
     }
+    /// Whether it is closed, all its edges are convex and its triangles face outwards (several such solids will do), so that from
+    /// outside no back of a triangle is seen. Found out once per version; always false above 50,000 triangles.
+    bool isConvexSolid() const;
+
     /// For validate(): the version whose numbers were last found good, so that a still geometry is read once.
     std::uint64_t validatedVersion() const { return validatedVersion_; }
     void markValidated() const { validatedVersion_ = version_; }
@@ -117,6 +121,8 @@ class BufferGeometry : public Resource {
     mutable Box3 box_;
     mutable Sphere sphere_;
     mutable std::uint64_t boundsVersion_ = 0;
+    mutable std::uint64_t solidVersion_ = 0;
+    mutable bool solid_ = false;
     mutable std::uint64_t validatedVersion_ = 0;
 };
 

@@ -3,6 +3,7 @@
 vec3 add_directional_lights(vec3 P, vec3 n, vec3 v, vec3 D)
 {
 #if TERM_DIRECTIONAL
+#pragma unroll
     for (int i = 0; i < NUM_DIRECTIONAL_LIGHTS; ++i) {
         vec3 w = directional_w(i);
         vec3 reflected = clamp_cosine(cosine(n, w)) * D;

@@ -24,14 +24,38 @@ vec3 point_light(int i, vec3 n, vec3 Q, vec3 v, vec3 D, float k)
 vec3 add_point_lights(vec3 P, vec3 n, vec3 Q, vec3 v, vec3 D)
 {
 #if TERM_POINT
+#pragma unroll
     for (int i = 0; i < END_DECAY_0; ++i)
         P = add(P, point_light(i, n, Q, v, D, 0.0));
+#pragma unroll
     for (int i = END_DECAY_0; i < END_DECAY_1; ++i)
         P = add(P, point_light(i, n, Q, v, D, 1.0));
+#pragma unroll
     for (int i = END_DECAY_1; i < END_DECAY_2; ++i)
         P = add(P, point_light(i, n, Q, v, D, 2.0));
+#pragma unroll
     for (int i = END_DECAY_2; i < NUM_POINT_LIGHTS; ++i)
         P = add(P, point_light(i, n, Q, v, D, point_decay(i)));
+#if CLUSTERED
+    // and after them those that end, from the lists of the fragment's cluster
+    int list = cluster_list();
+    int begin_0 = CLUSTERED_DECAY_0 ? list_begin(list) : 0, end_0 = CLUSTERED_DECAY_0 ? list_begin(list + 1) : 0;
+    int begin_1 = CLUSTERED_DECAY_1 ? list_begin(list + 1) : 0, end_1 = CLUSTERED_DECAY_1 ? list_begin(list + 2) : 0;
+    int begin_2 = CLUSTERED_DECAY_2 ? list_begin(list + 2) : 0, end_2 = CLUSTERED_DECAY_2 ? list_begin(list + 3) : 0;
+    int begin_3 = CLUSTERED_DECAY_OTHER ? list_begin(list + 3) : 0, end_3 = CLUSTERED_DECAY_OTHER ? list_begin(list + 4) : 0;
+#pragma unroll
+    for (int j = begin_0; j < end_0; ++j)
+        P = add(P, point_light(listed_light(j), n, Q, v, D, 0.0));
+#pragma unroll
+    for (int j = begin_1; j < end_1; ++j)
+        P = add(P, point_light(listed_light(j), n, Q, v, D, 1.0));
+#pragma unroll
+    for (int j = begin_2; j < end_2; ++j)
+        P = add(P, point_light(listed_light(j), n, Q, v, D, 2.0));
+#pragma unroll
+    for (int j = begin_3; j < end_3; ++j)
+        P = add(P, point_light(listed_light(j), n, Q, v, D, point_decay(listed_light(j))));
+#endif
 #endif
     return P;
 }

@@ -18,10 +18,11 @@ void requireHighp(Outcome& outcome) {
     variant.lit = variant.ambient = variant.window = variant.scaled = variant.countNonfinite = true;
     variant.directional = variant.decay0 = variant.decay1 = variant.decay2 = variant.decayOther = 1;
     for (const std::string file : {"mesh.vert", "mesh.frag", "gouraud.vert", "gouraud.frag", "unlit.frag"})
-        for (const bool texture : {false, true}) {
+        for (const auto storage : {lighting::LightStorage::uniforms, lighting::LightStorage::texture}) {
+            variant.storage = storage;
             const bool fragment = file.ends_with(".frag");
             const std::string text = render::readShader(render::findShaderDirectory(""), file,
-                                                        render::preamble(variant, fragment, texture))
+                                                        render::preamble(variant, {}, fragment))
                                          .text;
             for (const char* line : {"precision highp float;", "precision highp int;"})
                 require(outcome, text.find(line) != std::string::npos, file + " does not say '" + line + "'");

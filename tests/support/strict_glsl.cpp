@@ -43,6 +43,7 @@ struct FragmentBuiltins : VariantConstants {
 #define out
 #define inout by_reference::
 #define highp
+#define invariant friend struct  // a name again, which here says nothing
 #define discard return
 #define xyz xyz()
 #define rgb rgb()
@@ -51,6 +52,7 @@ struct FragmentBuiltins : VariantConstants {
 #define COUNT_NONFINITE 1
 #define WINDOW 1
 #define LIGHTS_IN_TEXTURE 1
+#define CLUSTERED 0
 #define TERM_ALBEDO 1
 #define TERM_COSINE 1
 #define TERM_CLAMP 1
@@ -101,6 +103,7 @@ struct ScaledGouraudFragment : FragmentBuiltins {
 #undef out
 #undef inout
 #undef highp
+#undef invariant
 #undef discard
 #undef xyz
 #undef rgb
@@ -129,8 +132,8 @@ sampler2D packLights(const lighting::FramePlan& plan) {
     for (const lighting::DirectionalAddend& light : plan.directional)
         add(saturated(light.w, 0), saturated(light.color, light.intensity), vec4());
     for (const lighting::PointAddend& light : plan.point)
-        add(saturated(light.position, 0), saturated(light.color, light.intensity),
-            saturated({light.distance > 0 ? 1 / light.distance : 0, light.decay, light.exponent}, 0));
+        add(saturated(light.position, light.distance > 0 ? 1 / light.distance : 0),
+            saturated(light.color, light.intensity), saturated({light.decay, light.exponent, 0}, 0));
     return data;
 }
 
