@@ -51,8 +51,8 @@ void Stage::lightsWithin(int n, const THREE::Vector3& half, double distance) {
               distance, 2);
 }
 
-Ours::Ours(Stage& stage, int width, int height)
-    : renderer(render::findShaderDirectory("")), stage_(stage), request_{width, height, false} {
+Ours::Ours(Stage& stage, int width, int height, render::Compile when)
+    : renderer(render::findShaderDirectory(""), when), stage_(stage), request_{width, height, false} {
     stage.camera.aspect = static_cast<double>(width) / height;
 }
 

@@ -33,7 +33,7 @@ struct Stage {
 /// stage must outlive it.
 class Ours {
   public:
-    Ours(Stage& stage, int width, int height);
+    Ours(Stage& stage, int width, int height, render::Compile when = render::Compile::atOnce);
     /// A frame as a lesson draws it: matrices, validation, plan, draw, wait.
     void draw();
     /// The same, read back: 8-bit codes.

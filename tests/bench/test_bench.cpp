@@ -46,6 +46,9 @@ TEST(Bench, SteadyFramesShowTheSamePicture) {
     EXPECT_LE(values.at("64 point lights, codes from row (d): loop over uniforms"), 1);
     EXPECT_EQ(values.at("64 lights, codes from still to moving"), 0);
     EXPECT_EQ(values.at("64 lights, codes from still to --no-skip"), 0);
+    EXPECT_EQ(values.at("64 lights, codes from constants to uniforms"), 0);
+    EXPECT_EQ(values.at("64 lights, shaders differ between constants and uniforms"), 1)
+        << "it compared nothing";
     EXPECT_NEAR(values.at("pixels covered"), 45, 5);
 }
 

@@ -92,13 +92,19 @@ void stillAndMoving(Bench& b) {
     moved.position.x = 3;
     const image::Frame moving = ours.frame();  // as long as it is remembered that it moved
     const bool told = ours.renderer.stats().variants != stillVariants;
+    ours.settings.constantLights = 0;
+    const image::Frame uniforms = ours.frame();
+    const bool uniformsTold = ours.renderer.stats().variants != stillVariants;
     ours.settings.skip = false;
     const image::Frame everything = ours.frame();
     b.report.add("64 lights, codes from still to moving", bench::codesApart(still, moving), "codes",
                  Goal::atMost, 0);
     b.report.add("64 lights, codes from still to --no-skip", bench::codesApart(still, everything), "codes",
                  Goal::atMost, 0);
+    b.report.add("64 lights, codes from constants to uniforms", bench::codesApart(still, uniforms), "codes",
+                 Goal::atMost, 0);
     b.report.add("64 lights, shaders differ between still and moving", told ? 1 : 0, "yes=1");
+    b.report.add("64 lights, shaders differ between constants and uniforms", uniformsTold ? 1 : 0, "yes=1");
 }
 
 // What needs no lighting must cost what a flat colour costs.

@@ -29,6 +29,7 @@ double milliseconds(Ours& ours) {
 // The first frame's time beyond a steady one's. Below 0 only by noise.
 double firstBeyondSteady(Ours& ours) {
     const double first = milliseconds(ours);
+    ours.renderer.finishCompiling();
     ours.draw();
     return std::max(0.0, first - median({milliseconds(ours), milliseconds(ours), milliseconds(ours)}));
 }
@@ -48,15 +49,18 @@ struct FullStage : Stage {
     THREE::MeshPhongMaterial material{THREE::Color(0xFF8855)};
 };
 
-// From all symbols on: each one off, from there each other one off, and back.
+// From all symbols on: each one off, from there each other one off, and back. As in a window, where programs that can wait are
+// compiled aside; between two toggles there is time for that.
 void toggle(const std::string& amount) {
     FullStage stage;
-    Ours ours(stage, size, size);
+    Ours ours(stage, size, size, render::Compile::aside);
     ours.settle();
+    ours.renderer.finishCompiling();
     const auto& terms = lighting::terms();
     const auto to = [&ours](const char* group, const std::string& name, lighting::TermSet set) {
         ours.settings.terms = set;
         print(group, name, firstBeyondSteady(ours));
+        ours.renderer.finishCompiling();
     };
     const std::size_t firsts = amount == "--smoke" ? 1 : terms.size(), seconds = amount.empty() ? terms.size()
                                                                                  : firsts == 1  ? 2
