@@ -74,7 +74,8 @@ class Series {
         floors_.push_back({x, ms.at(point + ", floor")});
         bench_.csv += name_ + "," + whole(x) + "," + bench::digits(points_.back().ms) + "," +
                       bench::digits(floors_.back().ms) + "\n";
-        return std::max(first, points_.back().ms / 1000) < bench_.slowestSeconds();
+        // A first frame may compile a shader, which is no reason to stop by itself.
+        return points_.back().ms / 1000 < bench_.slowestSeconds() && first < 10 * bench_.slowestSeconds();
     }
     void finish() {
         bench_.csv += "\n\n";  // gnuplot's mark between data sets
