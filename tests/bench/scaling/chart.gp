@@ -11,7 +11,7 @@ set format x '10^{%L}'
 set format y '%g'
 set ylabel 'ms per frame'
 set key top left
-set offsets 0, 0, 0, 0
+set offsets graph 0, graph 0, graph 0.3, graph 0  # room for the key
 set xlabel 'point lights (k = 2), knot of 51,200 triangles'
 plot series('lights without end') using 2:3 with linespoints ls 1 title 'without end: '.fit('lights without end', 'light'), \
      series('lights with a reach of 1/40') using 2:3 with linespoints ls 3 title 'reach 1/40: '.fit('lights with a reach of 1/40', 'light'), \
