@@ -1,6 +1,11 @@
 // What the reference costs: the lessons' knot under 64 lights, against a bare loop in scalar doubles over the same pixels and
-// lights, in turns. Prints nanoseconds of processor time per pixel and light, and the ratio.
+// lights, in turns.
 // SPDX-License-Identifier: MIT
+//
+//   bench_reference DIR [--quick | --smoke]     writes DIR/reference.json, .csv
+//
+// Measured is processor time, because the reference uses all cores and the bare loop one.
+#include "bench/report.hpp"
 #include "lighting/reference/reference.hpp"
 #include "three/three.hpp"
 
@@ -15,17 +20,12 @@ namespace {
 
 using lighting::reference::Reference;
 
-constexpr int size = 512, lightCount = 64, rounds = 9;
+constexpr int lightCount = 64;
 
 double processorNanoseconds() {
     timespec t{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 // The same pixels under the same lights without vector instructions, points and normals from a table, no light left out.
@@ -68,9 +68,8 @@ class BareLoop {
     std::vector<double> surface_, lights_, out_;
 };
 
-}  // namespace
-
-int main() {
+void measure(const bench::Options& options) {
+    const int size = options.smoke ? 64 : 512, rounds = options.smoke ? 2 : options.quick ? 5 : 15;
     THREE::Scene scene;
     THREE::TorusKnotGeometry geometry(0.9, 0.34, 400, 64);
     THREE::MeshLambertMaterial material(THREE::Color(0xFF8855));
@@ -87,7 +86,7 @@ int main() {
     camera.lookAt(0, 0, 0);
 
     const Reference<double> reference(scene, camera, lighting::TermSet::all(), size, size);
-    std::vector<double> red(static_cast<std::size_t>(size) * size);
+    std::vector<double> red(static_cast<std::size_t>(size * size));
     std::vector<double> ours, bare;
     BareLoop loop(reference);
     const double perPixelLight = 1 / (static_cast<double>(loop.pixels()) * lightCount);
@@ -100,9 +99,16 @@ int main() {
         loop.run();
         bare.push_back((processorNanoseconds() - start) * perPixelLight);
     }
-    std::printf("reference<double>, 512x512, %d lights: %.2f ns of processor time per covered pixel and "
-                "light, bare loop %.2f "
-                "ns, ratio %.2f (medians of %d; %zu pixels covered; checksum %g)\n",
-                lightCount, median(ours), median(bare), median(ours) / median(bare), rounds, loop.pixels(),
-                loop.checksum());
+    std::fprintf(stderr, "   %zu pixels covered, checksum %g\n", loop.pixels(), loop.checksum());
+    bench::Report report("reference", "none: doubles on the CPU");
+    report.add("reference under 64 lights", bench::median(ours), "ns per pixel and light");
+    report.add("bare loop in scalar doubles", bench::median(bare), "ns per pixel and light");
+    report.add("reference to bare loop", bench::median(ours) / bench::median(bare), "ratio");
+    report.write(options.out);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    return bench::guarded("bench_reference", measure, bench::readOptions(count, arguments));
 }
