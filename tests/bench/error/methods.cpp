@@ -1,0 +1,166 @@
+// The table of methods, and how each draws.
+// SPDX-License-Identifier: MIT
+#include "bench/error/methods.hpp"
+
+#include "render/gl_renderer.hpp"
+#include "render/reference_renderer.hpp"
+#include "render/shader_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace bench::error {
+
+namespace {
+
+// Makes lights invisible as long as it lives.
+class Hidden {
+  public:
+    Hidden() = default;
+    ~Hidden() {
+        for (THREE::Light* light : lights_)
+            light->visible = true;
+    }
+    Hidden(const Hidden&) = delete;
+    Hidden& operator=(const Hidden&) = delete;
+    void hide(THREE::Light& light) {
+        light.visible = false;
+        lights_.push_back(&light);
+    }
+
+  private:
+    std::vector<THREE::Light*> lights_;
+};
+
+// The most that a point light can add to any mesh, in 8-bit codes: squarely from the nearest point of the bounding sphere.
+double mostCodes(const THREE::PointLight& light, const World& world) {
+    const THREE::Color L = light.radiance();
+    double most = 0;
+    for (const THREE::Mesh* mesh : world.meshes()) {
+        const THREE::Sphere& sphere = mesh->geometry->boundingSphere();
+        const THREE::Vector3 center = mesh->matrixWorld.applyTo(sphere.center);
+        const glm::dmat4& m = mesh->matrixWorld.elements;
+        const double stretch = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+        const double away = glm::length(glm::dvec3(light.matrixWorld.position()) - glm::dvec3(center));
+        const double d = std::max(away - sphere.radius * stretch, 1e-9);
+        const THREE::Color& D = mesh->material->color;
+        most = std::max(most, std::max({D.r * L.r, D.g * L.g, D.b * L.b}) * std::pow(d, -light.decay) * 255);
+    }
+    return most;
+}
+
+// The plan of a frame whose lights are cut off where none alone could add `codes`. The one place that knows how a cut is made.
+lighting::FramePlan planWithCut(const World& world, const lighting::Settings& settings, double codes) {
+    Hidden hidden;
+    if (codes > 0)
+        for (THREE::Light* light : world.lights())
+            if (auto* point = dynamic_cast<THREE::PointLight*>(light);
+                point != nullptr && mostCodes(*point, world) < codes)
+                hidden.hide(*point);
+    return lighting::planFrame(world.scene, world.camera, settings);
+}
+
+std::string shaderDirectory(const Method& method) {
+    const std::string overlays = std::string(LAMBERT_SOURCE_DIR) + "/tests/bench/error/methods/";
+    return render::findShaderDirectory(method.overlay ? overlays + method.id : std::string());
+}
+
+class ShaderDrawer : public Drawer {
+  public:
+    ShaderDrawer(const Method& method, World& world, int size)
+        : method_(method), world_(world), size_(size), renderer_(shaderDirectory(method)) {}
+
+    image::Frame draw(bool floats) override {
+        lighting::Settings settings = world_.settings;
+        settings.shading = method_.shading;
+        lighting::FramePlan plan = planWithCut(world_, settings, method_.cut);
+        for (lighting::Draw& draw : plan.draws)
+            draw.variant.scaled |= draw.variant.lit && method_.scaled;
+        return renderer_.render(plan, settings, {size_, size_, floats});
+    }
+
+  protected:
+    const Method& method_;
+    World& world_;
+    int size_;
+
+  private:
+    render::GlRenderer renderer_;
+};
+
+// Every light alone into 8 bits, added up as an 8-bit frame buffer adds: rounded each time, saturated.
+class PassesDrawer : public ShaderDrawer {
+  public:
+    using ShaderDrawer::ShaderDrawer;
+
+    image::Frame draw(bool floats) override {
+        image::Frame sum{size_, size_, image::Bytes(static_cast<std::size_t>(size_ * size_ * 3))};
+        auto& codes = std::get<image::Bytes>(sum.pixels);
+        for (THREE::Light* shining : world_.lights()) {
+            Hidden hidden;
+            for (THREE::Light* light : world_.lights())
+                if (light != shining)
+                    hidden.hide(*light);
+            const image::Frame pass = ShaderDrawer::draw(false);
+            const auto& added = std::get<image::Bytes>(pass.pixels);
+            for (std::size_t i = 0; i < codes.size(); ++i)
+                codes[i] = static_cast<std::uint8_t>(std::min(codes[i] + added[i], 255));
+        }
+        if (floats)
+            sum.pixels = image::toFloats(sum);
+        return sum;
+    }
+};
+
+class ProcessorDrawer : public Drawer {
+  public:
+    ProcessorDrawer(World& world, int size) : world_(world), size_(size) {}
+
+    image::Frame draw(bool floats) override {
+        return renderer_.render(world_.scene, world_.camera, world_.settings, {size_, size_, floats});
+    }
+
+  private:
+    World& world_;
+    int size_;
+    render::ReferenceRenderer renderer_;
+};
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+    using lighting::Shading;
+    static const std::vector<Method> table = {
+        {.id = "default", .title = "default: fused, guarded"},
+        {.id = "three_js", .title = "three.js's order", .overlay = true},
+        {.id = "scaled", .title = "fused, scaled", .scaled = true},
+        {.id = "rrr", .title = "r r r", .overlay = true},
+        {.id = "cpu_double", .title = "CPU double", .kind = Kind::processor},
+        {.id = "exp2_log2", .title = "exp2(log2)", .overlay = true},
+        {.id = "per_vertex", .title = "per vertex", .shading = Shading::vertex, .approximate = true},
+        {.id = "flat", .title = "flat", .shading = Shading::flat, .approximate = true},
+        {.id = "unnormalised", .title = "unnormalised normal", .overlay = true, .approximate = true},
+        {.id = "mediump", .title = "mediump", .overlay = true, .approximate = true},
+        {.id = "mediump_mixed", .title = "mixed mediump", .overlay = true, .approximate = true},
+        {.id = "fast_inverse_sqrt",
+         .title = "0x5f3759df + 1 Newton step",
+         .overlay = true,
+         .approximate = true},
+        {.id = "cut_0.5", .title = "range cut, 0.5 code", .cut = 0.5, .approximate = true},
+        {.id = "cut_0.01", .title = "range cut, 0.01 code", .cut = 0.01, .approximate = true},
+        {.id = "half_sum", .title = "half accumulation", .overlay = true, .approximate = true},
+        {.id = "passes_8_bit", .title = "8-bit additive passes", .kind = Kind::passes, .approximate = true},
+    };
+    return table;
+}
+
+std::unique_ptr<Drawer> makeDrawer(const Method& method, World& world, int size) {
+    if (method.kind == Kind::processor)
+        return std::make_unique<ProcessorDrawer>(world, size);
+    if (method.kind == Kind::passes)
+        return std::make_unique<PassesDrawer>(method, world, size);
+    return std::make_unique<ShaderDrawer>(method, world, size);
+}
+
+}  // namespace bench::error
