@@ -76,22 +76,17 @@ std::vector<Row> runCase(const Case& which, int size, double milliseconds) {
     if (!which.floor)
         floor->makeUnlit();
     const Truths truths = makeTruths(which, *world, size);
-    const Method& onProcessor = *std::find_if(methods().begin(), methods().end(), [](const Method& method) {
-        return method.kind == Kind::processor;
-    });
-    const std::unique_ptr<Drawer> floorByShaders = makeDrawer(methods()[defaultMethod], *floor, size);
-    const std::unique_ptr<Drawer> floorByProcessor = makeDrawer(onProcessor, *floor, size);
+    const std::unique_ptr<Drawer> flat = makeDrawer(methods()[defaultMethod], *floor, size);
 
     std::vector<Row> rows;
     std::vector<std::unique_ptr<Drawer>> drawers;
-    std::vector<Timed> timed;
+    std::vector<Drawer*> frames;
     for (std::size_t i = 0; i < methods().size(); ++i) {
         drawers.push_back(makeDrawer(methods()[i], *world, size));
         rows.push_back(judge(which, *world, truths, i, *drawers.back(), size));
-        const bool processor = methods()[i].kind == Kind::processor;
-        timed.push_back({drawers.back().get(), (processor ? floorByProcessor : floorByShaders).get()});
+        frames.push_back(drawers.back().get());
     }
-    const std::vector<Cost> costs = measure(timed, milliseconds);
+    const std::vector<Cost> costs = measure(*flat, frames, milliseconds);
     for (Row& row : rows) {
         row.cost = costs[row.method];
         row.ratio = row.cost.lighting / costs[threeMethod].lighting;

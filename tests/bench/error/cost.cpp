@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <ctime>
-#include <map>
+#include <numeric>
+#include <random>
 
 namespace bench::error {
 
 namespace {
 
 constexpr int preparedFrames = 3;  // compiled, uploaded, and seen to stand still
-constexpr int mostRounds = 101;
+constexpr int fewestFrames = 3, mostRounds = 101;
 
 double processorMilliseconds() {
     timespec t{};
@@ -33,10 +34,15 @@ double quantile(std::vector<double> values, double q) {
     return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-// The times of one method, and of its floor in the same rounds.
+// The times of one method, round by round.
 struct Samples {
     std::vector<double> frame, lighting, overFloor;
 
+    void add(double time, double floor) {
+        frame.push_back(time);
+        lighting.push_back(time - floor);
+        overFloor.push_back(time / floor);
+    }
     Cost cost() const {
         return {quantile(frame, 0.5), quantile(lighting, 0.5),
                 (quantile(lighting, 0.75) - quantile(lighting, 0.25)) / 2, quantile(overFloor, 0.5),
@@ -44,14 +50,20 @@ struct Samples {
     }
 };
 
+// A method that takes many times as long as usual is drawn in every 2nd, 3rd, ... round only.
+int everyRound(double milliseconds, double usual) {
+    return std::clamp(static_cast<int>(milliseconds / (4 * usual)), 1, 16);
+}
+
 // How long each takes, after some frames that are not counted.
-std::vector<double> prepare(const std::vector<Timed>& timed) {
+std::vector<double> prepare(Drawer& floor, const std::vector<Drawer*>& frames) {
+    for (int i = 0; i < preparedFrames; ++i)
+        floor.draw(false);
     std::vector<double> times;
-    for (const Timed& one : timed) {
-        double time = timeOf(*one.frame);
+    for (Drawer* const frame : frames) {
+        double time = timeOf(*frame);
         for (int i = 1; i < preparedFrames && time < 1000; ++i)
-            time = timeOf(*one.frame);
-        one.floor->draw(false);
+            time = timeOf(*frame);
         times.push_back(time);
     }
     return times;
@@ -59,33 +71,30 @@ std::vector<double> prepare(const std::vector<Timed>& timed) {
 
 }  // namespace
 
-std::vector<Cost> measure(const std::vector<Timed>& timed, double milliseconds) {
-    const std::vector<double> expected = prepare(timed);
+std::vector<Cost> measure(Drawer& floor, const std::vector<Drawer*>& frames, double milliseconds) {
+    const std::vector<double> expected = prepare(floor, frames);
     const double usual = quantile(expected, 0.5);
-    std::vector<int> everyRound;  // drawn in every n-th round
-    for (const double time : expected)
-        everyRound.push_back(std::clamp(static_cast<int>(time / (4 * usual)), 1, 16));
-    std::vector<Samples> samples(timed.size());
+    std::vector<Samples> samples(frames.size());
     const double start = processorMilliseconds();
     const auto done = [&](int round) {
-        const bool enough =
-            std::all_of(samples.begin(), samples.end(), [](const Samples& s) { return s.frame.size() >= 3; });
-        return round >= mostRounds || (enough && processorMilliseconds() - start > milliseconds);
+        return round >= mostRounds ||
+               (round >= fewestFrames && processorMilliseconds() - start > milliseconds);
     };
+    std::vector<std::size_t> turns(frames.size() + 1);  // the last is the floor's
+    std::iota(turns.begin(), turns.end(), std::size_t{0});
+    std::mt19937 random(2026);
     for (int round = 0; !done(round); ++round) {
-        std::map<Drawer*, double> floors;
-        for (std::size_t turn = 0; turn < timed.size(); ++turn) {
-            const std::size_t i = (turn + static_cast<std::size_t>(round)) % timed.size();
-            // The slow ones at first, so that everything has its three frames soon.
-            if (samples[i].frame.size() >= 3 && round % everyRound[i] != 0)
-                continue;
-            if (!floors.contains(timed[i].floor))
-                floors[timed[i].floor] = timeOf(*timed[i].floor);
-            const double floor = floors[timed[i].floor], frame = timeOf(*timed[i].frame);
-            samples[i].frame.push_back(frame);
-            samples[i].lighting.push_back(frame - floor);
-            samples[i].overFloor.push_back(frame / floor);
-        }
+        std::shuffle(turns.begin(), turns.end(), random);
+        std::vector<double> times(frames.size());
+        double flat = 0;
+        for (const std::size_t i : turns)
+            if (i == frames.size())
+                flat = timeOf(floor);
+            else if (round < fewestFrames || round % everyRound(expected[i], usual) == 0)
+                times[i] = timeOf(*frames[i]);
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            if (times[i] > 0)
+                samples[i].add(times[i], flat);
     }
     std::vector<Cost> costs;
     for (const Samples& one : samples)

@@ -9,12 +9,6 @@
 
 namespace bench::error {
 
-/// A method to time and what its cost is counted from.
-struct Timed {
-    Drawer* frame;
-    Drawer* floor;  ///< several may share one: it is drawn once a round
-};
-
 /// What came out, in milliseconds of the whole process's processor time.
 struct Cost {
     double frame = 0;  ///< median of the whole frame
@@ -24,8 +18,9 @@ struct Cost {
     int rounds = 0;  ///< how often it was drawn
 };
 
-/// Draws all in turns, some frames without counting first, until `milliseconds` of processor time are spent, but at least three times
-/// each. What is many times as slow as the others has fewer turns.
-std::vector<Cost> measure(const std::vector<Timed>& timed, double milliseconds);
+/// Draws all in random turns, some frames without counting first, until `milliseconds` of processor time are spent, but at least three times
+/// each. What is many times as slow as the others has fewer turns. `floor` draws the flat-colour frame with the shaders, for all
+/// methods alike: what a method needs beyond that is its cost, be it other passes or another renderer.
+std::vector<Cost> measure(Drawer& floor, const std::vector<Drawer*>& frames, double milliseconds);
 
 }  // namespace bench::error

@@ -43,7 +43,7 @@ double mostCodes(const THREE::PointLight& light, const World& world) {
         const glm::dmat4& m = mesh->matrixWorld.elements;
         const double stretch = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
         const double away = glm::length(glm::dvec3(light.matrixWorld.position()) - glm::dvec3(center));
-        const double d = std::max(away - sphere.radius * stretch, 1e-9);
+        const double d = std::max(away - sphere.radius * stretch, 0.0);  // 0 to the power of -k is infinity
         const THREE::Color& D = mesh->material->color;
         most = std::max(most, std::max({D.r * L.r, D.g * L.g, D.b * L.b}) * std::pow(d, -light.decay) * 255);
     }
@@ -132,9 +132,9 @@ class ProcessorDrawer : public Drawer {
 const std::vector<Method>& methods() {
     using lighting::Shading;
     static const std::vector<Method> table = {
-        {.id = "default", .title = "default: fused, guarded"},
+        {.id = "default", .title = "default (fused and guarded)"},
         {.id = "three_js", .title = "three.js's order", .overlay = true},
-        {.id = "scaled", .title = "fused, scaled", .scaled = true},
+        {.id = "scaled", .title = "fused and scaled", .scaled = true},
         {.id = "rrr", .title = "r r r", .overlay = true},
         {.id = "cpu_double", .title = "CPU double", .kind = Kind::processor},
         {.id = "exp2_log2", .title = "exp2(log2)", .overlay = true},
@@ -147,8 +147,8 @@ const std::vector<Method>& methods() {
          .title = "0x5f3759df + 1 Newton step",
          .overlay = true,
          .approximate = true},
-        {.id = "cut_0.5", .title = "range cut, 0.5 code", .cut = 0.5, .approximate = true},
-        {.id = "cut_0.01", .title = "range cut, 0.01 code", .cut = 0.01, .approximate = true},
+        {.id = "cut_0.5", .title = "range cut at 0.5 code", .cut = 0.5, .approximate = true},
+        {.id = "cut_0.01", .title = "range cut at 0.01 code", .cut = 0.01, .approximate = true},
         {.id = "half_sum", .title = "half accumulation", .overlay = true, .approximate = true},
         {.id = "passes_8_bit", .title = "8-bit additive passes", .kind = Kind::passes, .approximate = true},
     };

@@ -21,7 +21,7 @@ enum class Kind {
 /// A row of the table.
 struct Method {
     const char* id;  ///< for files; also its folder below methods/, if `overlay`
-    const char* title;  ///< for charts
+    const char* title;  ///< for charts; no comma or quote in it
     Kind kind = Kind::shaders;
     bool overlay = false;  ///< methods/<id>/ holds shader files that stand in for the lab's own
     lighting::Shading shading = lighting::Shading::pixel;

@@ -4,6 +4,7 @@
 
 #include "image/write.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -48,7 +49,7 @@ std::string casesCsv(const std::vector<Row>& rows) {
            "codes,mean_codes,wrong_share,frame_ms,lighting_ms,spread_ms,cost_ratio,frame_over_floor,rounds\n";
     for (const Row& row : rows) {
         const Method& method = methods()[row.method];
-        out << row.scene << ',' << quoted(row.name) << ',' << method.id << ',' << quoted(method.title) << ','
+        out << row.scene << ',' << quoted(row.name) << ',' << method.id << ',' << method.title << ','
             << shortName(row.reference) << ',' << row.size << ',' << row.lights << ',' << row.error.values
             << ',' << row.error.max << ',' << row.error.p999 << ',' << row.shadingError << ',' << row.bound
             << ',' << verdict(row) << ',' << row.codes.max << ',' << row.codes.mean << ',' << row.codes.wrong
@@ -66,10 +67,29 @@ std::string scenesCsv(const std::vector<SceneRow>& rows) {
            "codes\n";
     for (const SceneRow& row : rows) {
         const Method& method = methods()[row.method];
-        out << row.scene << ',' << row.method + 1 << ',' << method.id << ',' << quoted(method.title) << ','
+        out << row.scene << ',' << row.method + 1 << ',' << method.id << ',' << method.title << ','
             << row.ratio << ',' << row.error.max << ',' << row.error.p999 << ',' << row.codes.max << ','
             << row.codes.mean << ',' << row.codes.wrong << ',' << row.onFront << ',' << row.onFrontCodes
             << '\n';
+    }
+    return out.str();
+}
+
+std::string frontCsv(const std::vector<SceneRow>& rows) {
+    std::ostringstream out;
+    out.precision(6);
+    out << "scene,panel,cost_ratio,error\n";
+    for (auto begin = rows.begin(); begin != rows.end();) {
+        const auto end =
+            std::find_if(begin, rows.end(), [&](const SceneRow& row) { return row.scene != begin->scene; });
+        const std::vector<SceneRow> scene(begin, end);
+        const auto write = [&](const char* panel, const std::function<double(const SceneRow&)>& error) {
+            for (const SceneRow* row : frontLine(scene, error))
+                out << row->scene << ',' << panel << ',' << row->ratio << ',' << error(*row) << '\n';
+        };
+        write("floats", [](const SceneRow& row) { return row.error.max; });
+        write("codes", [](const SceneRow& row) { return row.codes.max; });
+        begin = end;
     }
     return out.str();
 }
@@ -131,10 +151,16 @@ void write(const std::filesystem::path& directory, const Run& run, const std::ve
             {{"method", method.id}, {"title", method.title}, {"approximate", method.approximate}});
     for (const SceneRow& row : scenes)
         json["scenes"].push_back(toJson(row));
+    std::vector<SceneRow> all = scenes;
+    for (const SceneRow& row : medians(scenes)) {
+        json["medians"].push_back(toJson(row));
+        all.push_back(row);
+    }
     for (const Row& row : rows)
         json["cases"].push_back(toJson(row));
     image::writeText((directory / "error.csv").string(), casesCsv(rows));
-    image::writeText((directory / "error_scenes.csv").string(), scenesCsv(scenes));
+    image::writeText((directory / "error_scenes.csv").string(), scenesCsv(all));
+    image::writeText((directory / "error_front.csv").string(), frontCsv(all));
     image::writeText((directory / "error.json").string(), json.dump(1) + "\n");
 }
 

@@ -6,6 +6,7 @@
 #include "bench/error/truth.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,13 +51,20 @@ bool countsFromFloor(const std::string& scene);
 /// Sums up the cases of each scene.
 std::vector<SceneRow> sumUp(const std::vector<Row>& rows);
 
+/// The median of every number over all scenes but S9, as one more scene, "all".
+std::vector<SceneRow> medians(const std::vector<SceneRow>& scenes);
+
+/// The methods of one scene that no cheaper one is as exact as, the cheapest first: the line of the chart, without allowing for noise.
+std::vector<const SceneRow*> frontLine(const std::vector<SceneRow>& scene,
+                                       const std::function<double(const SceneRow&)>& error);
+
 /// How a run was made.
 struct Run {
     std::string driver;  ///< what the driver calls itself
     bool quick;
 };
 
-/// Writes error.csv, error_scenes.csv and error.json. Throws image::Error.
+/// Writes error.csv, error_scenes.csv (with the medians), error_front.csv (the charts' lines) and error.json. Throws image::Error.
 void write(const std::filesystem::path& directory, const Run& run, const std::vector<Row>& rows,
            const std::vector<SceneRow>& scenes);
 

@@ -19,13 +19,15 @@ THREE::Vector3 spread(int i, int count, double radius) {
     return {r * std::cos(angle), y * radius, r * std::sin(angle)};
 }
 
-// Lamps of several colours and distances all round a ball that fills the picture.
+// Lamps of several colours, and from close by to so far away that a range cut leaves them out, all round a ball that fills the
+// picture.
 std::unique_ptr<World> manyLights(int count) {
     auto world = std::make_unique<World>();
     world->mesh(ball(), THREE::Color(0xFF8855));
     const THREE::Color colors[] = {THREE::Color(0xFFFFFF), THREE::Color(0xDD6666), THREE::Color(0x66AADD)};
+    const double radii[] = {1.5, 2.5, 5, 20, 100};
     for (int i = 0; i < count; ++i)
-        world->bulb(spread(i, count, 1.5 + i % 5), colors[i % 3], 12.0 / count, 2);
+        world->bulb(spread(i, count, radii[i % 5]), colors[i % 3], 12.0 / count, 2);
     world->ambient(THREE::Color(0x101010));
     world->look({0, 0.6, 3.6}, {0, 0, 0});
     return world;

@@ -118,7 +118,7 @@ Truths makeTruths(const Case& which, World& world, int size) {
     case Reference::scene:
         truths.own = fromScene(world, size);
     }
-    truths.doubles = which.reference == Reference::shading ? doublesAt(at) : doublesFromScene(world, size);
+    truths.doubles = which.reference == Reference::scene ? doublesFromScene(world, size) : doublesAt(at);
     return truths;
 }
 

@@ -23,7 +23,7 @@ struct Truths {
     Truth own;  ///< by Case::reference
     Truth shading;  ///< R1, for the bound
     double bound = 0;  ///< what is promised against R1, in units of u S
-    /// What doubles give: at the points of R1, or, where the reference is another, from the scene.
+    /// What doubles give: at the points of R1, or, for R3, from the scene.
     image::Floats doubles;
 };
 Truths makeTruths(const Case& which, World& world, int size);
