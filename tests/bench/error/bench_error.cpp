@@ -104,6 +104,10 @@ bool say(const std::vector<Row>& rows, const std::vector<SceneRow>& scenes) {
                       << ", largest error " << row.error.max << " u S, " << row.codes.max << " codes; "
                       << (row.onFront ? "on the front" : "NOT on the front") << " in floats, "
                       << (row.onFrontCodes ? "on it" : "NOT on it") << " in 8 bits\n";
+    for (const Row& row : rows)
+        if (row.method == defaultMethod && countsFromFloor(row.scene))
+            std::cout << row.scene << ", " << row.name << ": " << row.cost.overFloor
+                      << " of the frame that it must fall to (expected at most 1.05)\n";
     bool held = true;
     for (const Row& row : rows)
         if (row.boundBroken()) {

@@ -14,6 +14,82 @@ namespace bench::error {
 
 namespace {
 
+using lighting::Shading;
+
+const std::vector<Method> table = {
+    {.id = "default", .title = "default (fused and guarded)", .known = "nothing within (18 + N) u S"},
+    {.id = "three_js",
+     .title = "three.js's order",
+     .known = "f never exceeds 100; more roundings, and those of pow",
+     .overlay = true},
+    {.id = "scaled",
+     .title = "fused and scaled",
+     .known = "nothing, but most scenes do not need it",
+     .scaled = true},
+    {.id = "rrr",
+     .title = "r r r",
+     .known = "the rounding of r counts k + 1 times; not a number at the light itself",
+     .overlay = true},
+    {.id = "cpu_double",
+     .title = "CPU double",
+     .known = "nothing: it rounds to float once; it draws without the driver",
+     .kind = Kind::processor},
+    {.id = "exp2_log2",
+     .title = "exp2(log2)",
+     .known = "the absolute error of the exponent becomes a relative one; not a number at the light itself",
+     .overlay = true},
+    {.id = "per_vertex",
+     .title = "per vertex",
+     .known = "what is between the vertices is interpolated: terminator and peaks are missed",
+     .shading = Shading::vertex,
+     .approximate = true},
+    {.id = "flat",
+     .title = "flat",
+     .known = "one normal for a whole triangle",
+     .shading = Shading::flat,
+     .approximate = true},
+    {.id = "unnormalised",
+     .title = "unnormalised normal",
+     .known = "interpolated normals are shorter than 1, so triangles are too dark in the middle",
+     .overlay = true,
+     .approximate = true},
+    {.id = "mediump",
+     .title = "mediump",
+     .known = "11 bits of mantissa, infinite beyond 65,504",
+     .overlay = true,
+     .approximate = true},
+    {.id = "mediump_mixed",
+     .title = "mixed mediump",
+     .known = "colours and sums have 11 bits of mantissa",
+     .overlay = true,
+     .approximate = true},
+    {.id = "fast_inverse_sqrt",
+     .title = "0x5f3759df + 1 Newton step",
+     .known = "1/d is off by up to 0.18 %, k + 1 times",
+     .overlay = true,
+     .approximate = true},
+    {.id = "cut_0.5",
+     .title = "range cut at 0.5 code",
+     .known = "lights that add less are missing, and there may be many of them",
+     .cut = 0.5,
+     .approximate = true},
+    {.id = "cut_0.01",
+     .title = "range cut at 0.01 code",
+     .known = "the same, of less",
+     .cut = 0.01,
+     .approximate = true},
+    {.id = "half_sum",
+     .title = "half accumulation",
+     .known = "the sum has 11 bits of mantissa: small addends are lost",
+     .overlay = true,
+     .approximate = true},
+    {.id = "passes_8_bit",
+     .title = "8-bit additive passes",
+     .known = "half a code for every light",
+     .kind = Kind::passes,
+     .approximate = true},
+};
+
 // Makes lights invisible as long as it lives.
 class Hidden {
   public:
@@ -129,31 +205,7 @@ class ProcessorDrawer : public Drawer {
 
 }  // namespace
 
-const std::vector<Method>& methods() {
-    using lighting::Shading;
-    static const std::vector<Method> table = {
-        {.id = "default", .title = "default (fused and guarded)"},
-        {.id = "three_js", .title = "three.js's order", .overlay = true},
-        {.id = "scaled", .title = "fused and scaled", .scaled = true},
-        {.id = "rrr", .title = "r r r", .overlay = true},
-        {.id = "cpu_double", .title = "CPU double", .kind = Kind::processor},
-        {.id = "exp2_log2", .title = "exp2(log2)", .overlay = true},
-        {.id = "per_vertex", .title = "per vertex", .shading = Shading::vertex, .approximate = true},
-        {.id = "flat", .title = "flat", .shading = Shading::flat, .approximate = true},
-        {.id = "unnormalised", .title = "unnormalised normal", .overlay = true, .approximate = true},
-        {.id = "mediump", .title = "mediump", .overlay = true, .approximate = true},
-        {.id = "mediump_mixed", .title = "mixed mediump", .overlay = true, .approximate = true},
-        {.id = "fast_inverse_sqrt",
-         .title = "0x5f3759df + 1 Newton step",
-         .overlay = true,
-         .approximate = true},
-        {.id = "cut_0.5", .title = "range cut at 0.5 code", .cut = 0.5, .approximate = true},
-        {.id = "cut_0.01", .title = "range cut at 0.01 code", .cut = 0.01, .approximate = true},
-        {.id = "half_sum", .title = "half accumulation", .overlay = true, .approximate = true},
-        {.id = "passes_8_bit", .title = "8-bit additive passes", .kind = Kind::passes, .approximate = true},
-    };
-    return table;
-}
+const std::vector<Method>& methods() { return table; }
 
 std::unique_ptr<Drawer> makeDrawer(const Method& method, World& world, int size) {
     if (method.kind == Kind::processor)

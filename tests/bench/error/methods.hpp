@@ -22,6 +22,7 @@ enum class Kind {
 struct Method {
     const char* id;  ///< for files; also its folder below methods/, if `overlay`
     const char* title;  ///< for charts; no comma or quote in it
+    const char* known;  ///< what is known to be wrong with it
     Kind kind = Kind::shaders;
     bool overlay = false;  ///< methods/<id>/ holds shader files that stand in for the lab's own
     lighting::Shading shading = lighting::Shading::pixel;

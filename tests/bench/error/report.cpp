@@ -37,6 +37,13 @@ std::string today() {
 // In quotes, because some names have commas.
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
+std::string titleOf(const std::string& scene) {
+    for (const SceneInfo& info : sceneTable())
+        if (scene == info.id)
+            return scene + ": " + info.title;
+    return "medians over the scenes S0 to S8 (large), each scene (small)";
+}
+
 const char* verdict(const Row& row) {
     return row.method != defaultMethod ? "" : row.boundBroken() ? "no" : "yes";
 }
@@ -45,8 +52,9 @@ std::string casesCsv(const std::vector<Row>& rows) {
     std::ostringstream out;
     out.precision(6);
     out << "scene,case,method,title,reference,size,lights,values,max_uS,p999_uS,max_R1_uS,bound_uS,bound_"
-           "held,max_"
-           "codes,mean_codes,wrong_share,frame_ms,lighting_ms,spread_ms,cost_ratio,frame_over_floor,rounds\n";
+           "held,"
+           "max_codes,mean_codes,wrong_share,frame_ms,lighting_ms,spread_ms,cost_ratio,frame_over_floor,"
+           "rounds\n";
     for (const Row& row : rows) {
         const Method& method = methods()[row.method];
         out << row.scene << ',' << quoted(row.name) << ',' << method.id << ',' << method.title << ','
@@ -62,15 +70,14 @@ std::string casesCsv(const std::vector<Row>& rows) {
 std::string scenesCsv(const std::vector<SceneRow>& rows) {
     std::ostringstream out;
     out.precision(6);
-    out << "scene,number,method,title,cost_ratio,max_uS,p999_uS,max_codes,mean_codes,wrong_share,on_front,on_"
-           "front_"
-           "codes\n";
+    out << "scene,number,method,title,cost_ratio,max_uS,p999_uS,max_codes,mean_codes,wrong_share,on_front,"
+           "on_front_codes,scene_title\n";
     for (const SceneRow& row : rows) {
         const Method& method = methods()[row.method];
         out << row.scene << ',' << row.method + 1 << ',' << method.id << ',' << method.title << ','
             << row.ratio << ',' << row.error.max << ',' << row.error.p999 << ',' << row.codes.max << ','
             << row.codes.mean << ',' << row.codes.wrong << ',' << row.onFront << ',' << row.onFrontCodes
-            << '\n';
+            << ',' << quoted(titleOf(row.scene)) << '\n';
     }
     return out.str();
 }
@@ -147,8 +154,10 @@ void write(const std::filesystem::path& directory, const Run& run, const std::ve
                  {"driver", run.driver}, {"version", LAMBERT_VERSION},
                  {"date", today()},      {"quick", run.quick}};
     for (const Method& method : methods())
-        json["methods"].push_back(
-            {{"method", method.id}, {"title", method.title}, {"approximate", method.approximate}});
+        json["methods"].push_back({{"method", method.id},
+                                   {"title", method.title},
+                                   {"known_wrong", method.known},
+                                   {"approximate", method.approximate}});
     for (const SceneRow& row : scenes)
         json["scenes"].push_back(toJson(row));
     std::vector<SceneRow> all = scenes;

@@ -32,12 +32,12 @@ std::unique_ptr<World> lecture(double k) {
 const std::vector<SceneInfo>& sceneTable() {
     static const std::vector<SceneInfo> table = {
         {"S0", "the lecture's scene"},
-        {"S1", "the same, k = 0, 0.5, 1, 1.5, 2"},
-        {"S2", "8 to 1,024 point lights"},
+        {"S1", "the lecture's scene with k = 0, 0.5, 1, 1.5 and 2"},
+        {"S2", "8 to 1,024 point lights round a ball"},
         {"S3", "a light at 1.05 radii of a sphere"},
         {"S4", "tessellation, against the exact surface"},
         {"S5", "far from the origin, against the scene in long double"},
-        {"S6", "sizes 1e-20 to 1e20, stretched 1 to 1e7 times"},
+        {"S6", "sizes 1e-20 to 1e20, flattened up to 1e7 times, against the scene in long double"},
         {"S7", "a plane in grazing light"},
         {"S8", "every pixel shaded four times"},
         {"S9", "nothing to light: dead lights, black albedo, ambient only"},
