@@ -19,7 +19,7 @@ struct Cost {
 };
 
 /// Draws all in random turns, some frames without counting first, until `milliseconds` of processor time are spent, but at least three times
-/// each. What is many times as slow as the others has fewer turns. `floor` draws the flat-colour frame with the shaders, for all
+/// each. What is slower than most has fewer turns. `floor` draws the flat-colour frame with the shaders, for all
 /// methods alike: what a method needs beyond that is its cost, be it other passes or another renderer.
 std::vector<Cost> measure(Drawer& floor, const std::vector<Drawer*>& frames, double milliseconds);
 

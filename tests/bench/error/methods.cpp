@@ -126,15 +126,14 @@ double mostCodes(const THREE::PointLight& light, const World& world) {
     return most;
 }
 
-// The plan of a frame whose lights are cut off where none alone could add `codes`. The one place that knows how a cut is made.
-lighting::FramePlan planWithCut(const World& world, const lighting::Settings& settings, double codes) {
-    Hidden hidden;
-    if (codes > 0)
-        for (THREE::Light* light : world.lights())
-            if (auto* point = dynamic_cast<THREE::PointLight*>(light);
-                point != nullptr && mostCodes(*point, world) < codes)
-                hidden.hide(*point);
-    return lighting::planFrame(world.scene, world.camera, settings);
+// The lights that a cut leaves out: where none alone could add `codes`. The one place that knows how a cut is made.
+std::vector<THREE::Light*> cutLights(const World& world, double codes) {
+    std::vector<THREE::Light*> lights;
+    for (THREE::Light* light : world.lights())
+        if (auto* point = dynamic_cast<THREE::PointLight*>(light);
+            codes > 0 && point != nullptr && mostCodes(*point, world) < codes)
+            lights.push_back(point);
+    return lights;
 }
 
 std::string shaderDirectory(const Method& method) {
@@ -150,7 +149,10 @@ class ShaderDrawer : public Drawer {
     image::Frame draw(bool floats) override {
         lighting::Settings settings = world_.settings;
         settings.shading = method_.shading;
-        lighting::FramePlan plan = planWithCut(world_, settings, method_.cut);
+        Hidden hidden;
+        for (THREE::Light* light : cutLights(world_, method_.cut))
+            hidden.hide(*light);
+        lighting::FramePlan plan = lighting::planFrame(world_.scene, world_.camera, settings);
         for (lighting::Draw& draw : plan.draws)
             draw.variant.scaled |= draw.variant.lit && method_.scaled;
         return renderer_.render(plan, settings, {size_, size_, floats});
@@ -206,6 +208,10 @@ class ProcessorDrawer : public Drawer {
 }  // namespace
 
 const std::vector<Method>& methods() { return table; }
+
+bool isDefault(const Method& method, const World& world) {
+    return &method == &table[defaultMethod] || (method.cut > 0 && cutLights(world, method.cut).empty());
+}
 
 std::unique_ptr<Drawer> makeDrawer(const Method& method, World& world, int size) {
     if (method.kind == Kind::processor)

@@ -35,6 +35,9 @@ struct Method {
 const std::vector<Method>& methods();
 inline constexpr std::size_t defaultMethod = 0, threeMethod = 1;
 
+/// Whether a method of methods() does the very work of the default in this world: a cut that leaves nothing out.
+bool isDefault(const Method& method, const World& world);
+
 /// Draws one world again and again, in one way.
 class Drawer {
   public:
