@@ -64,7 +64,7 @@ do for [kind in 'png svg'] {
     set lmargin at screen 0.45
     set rmargin at screen 0.78
     unset label 1
-    set title '8 bits: largest error; line down to the mean; small cross: share of wrong values'
+    set title '8 bits: largest error; line down to the mean; cross: share of wrong values'
     set ylabel 'error, codes'
     set yrange [lowest_codes * 0.5 : 400]
     set ytics add ('0' lowest_codes)
