@@ -18,6 +18,7 @@ namespace {
 
 // More sums than this in a frame, and each would be a shader of its own: then clusters tell the lights apart, not meshes.
 constexpr std::size_t mostSums = 8;
+constexpr std::size_t mostUnculled = 64;  // more lights than this, if some of them end, are worth clusters
 constexpr std::size_t mostTurns =
     60'000;  // Mesa's software drivers end all loops of a shader after 65,535 turns
 
@@ -39,9 +40,11 @@ class Distribution {
         findReaching();
         // Decided by the lights that count, whether the others are kept or not: the order of the sum must not change.
         const std::size_t lights = liveLights();
-        const bool texture = lights > most(settings_.uniformLights) || tooManySums_;
-        clustered_ = texture && settings_.shading != Shading::vertex &&
-                     std::any_of(plan_.point.begin(), plan_.point.end(), endsSomewhere);
+        const bool cullable = settings_.shading != Shading::vertex &&
+                              std::any_of(plan_.point.begin(), plan_.point.end(), endsSomewhere);
+        const bool texture = lights > most(settings_.uniformLights) || tooManySums_ ||
+                             (cullable && lights > mostUnculled);
+        clustered_ = texture && cullable;
         storage_ = texture                                   ? LightStorage::texture
                    : lights > most(settings_.constantLights) ? LightStorage::uniforms
                                                              : LightStorage::constants;

@@ -66,10 +66,8 @@ Equation<Real> equationOf(const lighting::FramePlan& plan, const lighting::TermS
     return equation;
 }
 
-// What the equation says of a point, and S.
-struct Shade {
-    Vec P, S;
-};
+}  // namespace
+
 Shade shade(const Equation<Real>& equation, const lighting::reference::Lit<Real>& at) {
     Equation<Real> strength = equation;
     strength.terms = equation.terms.without(lighting::Term::cosine);
@@ -82,8 +80,6 @@ Shade shade(const Equation<Real>& equation, const lighting::reference::Lit<Real>
     };
     return {equation.lighting(at, addHighlight), S};
 }
-
-}  // namespace
 
 Vec highlightStrength(const lighting::reference::Lit<Real>& at, const Vec& w) {
     const Vec h = w - at.Q / std::sqrt(glm::dot(at.Q, at.Q));
@@ -100,26 +96,25 @@ Vec highlightStrength(const lighting::reference::Lit<Real>& at, const Vec& w) {
     return length > 0 && cosine > 0 ? (at.gloss.specular * of(1) + of(1e-4000L)) * (lobe / cosine) : Vec(0);
 }
 
-ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
-    const Drawn drawn = draw(scene, camera, options);
+ShadingPoints shadingPoints(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
+                            int height) {
     const auto values = [&](const std::string& expression) {
-        const image::Frame frame =
-            instead(expression).render(drawn.plan, options.settings, {options.width, options.height, true});
+        const image::Frame frame = instead(expression).render(plan, settings, {width, height, true});
         return std::get<image::Floats>(frame.pixels);
     };
     const image::Floats positions = values("worldPosition"), normals = values("worldNormal"),
                         colors = values("baseColor");
     const image::Floats specular = values(ofTheHighlight("specularColor")),
                         shininess = values(ofTheHighlight("vec3(shininess, BLINN ? 1.0 : 0.0, 0.0)"));
-    const Equation<Real> equation = equationOf(drawn.plan, options.settings.terms);
-    const Vec eye = rounded(drawn.plan.eye);
+    const Vec eye = rounded(plan.eye);
     bool others = false;
-    for (const lighting::PointAddend& light : drawn.plan.point)
+    for (const lighting::PointAddend& light : plan.point)
         others |= light.decay != 0 && light.decay != 1 && light.decay != 2;
 
-    ShadingError result;
-    result.bound =
-        (others ? 44 : 18) + static_cast<double>(drawn.plan.directional.size() + drawn.plan.point.size());
+    ShadingPoints result;
+    result.equation = equationOf(plan, settings.terms);
+    result.bound = (others ? 44 : 18) + static_cast<double>(plan.directional.size() + plan.point.size());
+    result.points.resize(normals.size() / 3);
     for (std::size_t i = 0; i < normals.size(); i += 3) {
         const auto vector = [i](const image::Floats& f) { return Vec(f[i], f[i + 1], f[i + 2]); };
         const Vec normal = vector(normals);
@@ -127,18 +122,31 @@ ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera,
             continue;
         const Vec n = normal / std::sqrt(glm::dot(normal, normal)), gloss = vector(shininess);
         const auto model = gloss.y > 0 ? THREE::SpecularModel::blinn : THREE::SpecularModel::phong;
-        const auto [truth, S] =
-            shade(equation, {n, vector(positions) - eye, vector(colors), {vector(specular), gloss.x, model}});
+        result.points[i / 3] = {
+            n, vector(positions) - eye, vector(colors), {vector(specular), gloss.x, model}};
+    }
+    return result;
+}
+
+ShadingError shadingError(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
+    const Drawn drawn = draw(scene, camera, options);
+    const ShadingPoints at = shadingPoints(drawn.plan, options.settings, options.width, options.height);
+    ShadingError result;
+    result.bound = at.bound;
+    for (std::size_t i = 0; i < at.points.size(); ++i) {
+        if (!at.points[i])
+            continue;
+        const auto [truth, S] = shade(at.equation, *at.points[i]);
         ++result.pixels;
         for (int channel = 0; channel < 3; ++channel) {
             const Real error =
-                std::abs(drawn.floats()[i + static_cast<std::size_t>(channel)] - truth[channel]);
+                std::abs(drawn.floats()[i * 3 + static_cast<std::size_t>(channel)] - truth[channel]);
             // Half of the smallest float is always allowed.
             const auto ratio = static_cast<double>(error / (S[channel] * u + 0x1p-150L));
             if (!(ratio <= result.worst)) {
                 result.worst = ratio;
-                result.x = static_cast<int>(i / 3) % options.width;
-                result.y = static_cast<int>(i / 3) / options.width;
+                result.x = static_cast<int>(i) % options.width;
+                result.y = static_cast<int>(i) / options.width;
             }
         }
     }
