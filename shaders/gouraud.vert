@@ -6,7 +6,11 @@
 #include "lighting.glsl"
 
 uniform vec3 baseColor;  // D, slide 27
+#if EMISSIVE
 uniform vec3 emissive;   // light of its own
+#else
+const vec3 emissive = vec3(0.0);
+#endif
 
 out vec3 frontColor;
 invariant frontColor;  // as variant.glsl's pixel

@@ -7,7 +7,11 @@ in vec3 worldPosition;  // about the anchor (or in view space), as the lights' p
 in vec3 worldNormal;    // interpolated, so shorter than 1 between the vertices
 
 uniform vec3 baseColor;  // D, slide 27
+#if EMISSIVE
 uniform vec3 emissive;   // light of its own
+#else
+const vec3 emissive = vec3(0.0);
+#endif
 
 void main()
 {

@@ -217,6 +217,7 @@ class Planner {
         draw.variant.lit = true;
         draw.variant.perVertex = settings_.shading == Shading::vertex;
         draw.variant.terms = settings_.terms.bits();
+        draw.variant.emissive = !isZero(draw.emitted);
         draw.variant.doubleSided = material.side != THREE::FrontSide;
         if (const auto* phong = dynamic_cast<const THREE::MeshPhongMaterial*>(&material)) {
             const bool blinn =
@@ -234,7 +235,7 @@ class Planner {
         draw.variant.scaled = draw.reach > 0x1p40 * near_ || extremeView || range.leftBy(draw);
         plan_.litMeshes = true;
         plan_.shiny |= shiny;
-        plan_.emissive |= !isZero(draw.emitted);
+        plan_.emissive |= draw.variant.emissive;
         plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
     }
 

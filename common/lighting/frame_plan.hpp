@@ -25,7 +25,7 @@ struct Settings : Switches {
     bool countNonfinite = false;  ///< count pixels where an operand was NaN or infinite
     double lightCut =
         0;  ///< what point and directional lights may lack at a pixel, 8-bit codes (--light-cut); >= 0
-    int constantLights = 64;  ///< sums of more lights have none of them compiled in as constants
+    int constantLights = 256;  ///< sums of more lights have none of them compiled in as constants
     int uniformLights = 256;  ///< more lights than this are in a texture
     glm::dvec3 focus{0};  ///< the point that the camera orbits, world space: the anchor is near it
     double focusDistance = 1;  ///< from the camera to the focus, world units, > 0
@@ -77,11 +77,13 @@ enum class LightStorage {
 /// What decides which shader is compiled: only what this scene has. The point lights stand sorted by exponent.
 struct Variant {
     unsigned terms = 0;  ///< TermSet bits, without those that cannot matter here
-    bool lit = false;  ///< unlit materials have no equation at all
+    bool lit =
+        false;  ///< without, all pixels are one colour: unlit materials, and lit ones that no light with a direction reaches
     bool perVertex = false;  ///< the equation is in the vertex shader (Shading::vertex)
     bool blinn = false;  ///< three.js's highlight instead of the slides' R
     bool doubleSided = false;  ///< the normal is turned on back faces
     bool ambient = false;  ///< there is an ambient light
+    bool emissive = false;  ///< the material gives off light of its own
     bool window = false;  ///< some point light has a `distance`
     bool scaled = false;  ///< numbers here leave the range of floats: shaders/range.glsl scales them
     bool countNonfinite = false;  ///< writes a second target, see Settings
@@ -109,7 +111,7 @@ struct Draw {
     glm::dmat4 model;  ///< object space to lighting space
     glm::dmat3 normalMatrix;  ///< normals of object space to lighting space, see THREE::normalMatrix
     glm::dmat4 clip;  ///< object space to clip space
-    glm::dvec3 albedo;  ///< D, or the pixel's colour for an unlit material
+    glm::dvec3 albedo;  ///< D, or the pixel's colour where the variant is not lit
     glm::dvec3 emitted;  ///< added after the sum
     glm::dvec3 specular{0};  ///< K_S; 0 and not Variant::blinn for materials that do not shine
     double shininess = 0;  ///< s

@@ -42,8 +42,8 @@ class Distribution {
         const std::size_t lights = liveLights();
         const bool cullable = settings_.shading != Shading::vertex &&
                               std::any_of(plan_.point.begin(), plan_.point.end(), endsSomewhere);
-        const bool texture = lights > most(settings_.uniformLights) || tooManySums_ ||
-                             (cullable && lights > mostUnculled);
+        const bool texture =
+            lights > most(settings_.uniformLights) || tooManySums_ || (cullable && lights > mostUnculled);
         clustered_ = texture && cullable;
         storage_ = texture                                   ? LightStorage::texture
                    : lights > most(settings_.constantLights) ? LightStorage::uniforms
@@ -51,8 +51,10 @@ class Distribution {
         sortLights();
         formSets();
         for (Draw& draw : plan_.draws)
-            if (draw.variant.lit)
+            if (draw.variant.lit) {
                 finish(draw);
+                flatten(draw);
+            }
     }
 
   private:
@@ -191,6 +193,23 @@ class Distribution {
         v.longLoops = plan_.directional.size() + plan_.point.size() > mostTurns;
         if (settings_.skip)
             v.terms = withoutIdle(v);
+    }
+
+    // A mesh without a light that has a direction is one colour, and needs no equation at its pixels: what it gives off, or
+    // what it reflects of ambient light, in the shader's own roundings. With both, the shader adds them.
+    void flatten(Draw& draw) const {
+        const Variant v = draw.variant;
+        if (!settings_.skip || v.scaled || v.directional + v.point() > 0 || v.clustered != 0)
+            return;
+        const auto on = [&v](Term term) { return (v.terms >> static_cast<unsigned>(term) & 1U) != 0; };
+        const glm::vec3 D = on(Term::albedo) ? glm::vec3(draw.albedo) : glm::vec3(1);
+        const glm::vec3 reflected = on(Term::ambient) ? D * glm::vec3(plan_.ambient) : glm::vec3(0);
+        const glm::vec3 color = v.emissive ? glm::vec3(draw.emitted) : reflected;
+        if ((v.emissive && reflected != glm::vec3(0)) || !(largest(glm::dvec3(color)) <= 1e30))
+            return;
+        draw.albedo = glm::dvec3(color);
+        draw.variant = Variant{};
+        draw.variant.countNonfinite = v.countNonfinite;
     }
 
     static unsigned withoutIdle(const Variant& v) {

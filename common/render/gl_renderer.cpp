@@ -15,6 +15,8 @@ namespace render {
 
 namespace {
 
+constexpr std::size_t constantsAtOnce =
+    64;  // compiling so many lights in takes no longer than a frame or two
 constexpr std::size_t mostLights =
     200'000;  // with four lights a turn, the most that drivers' loops are sure to finish
 
@@ -180,7 +182,9 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
 void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
                           const lighting::Settings& settings) {
     lighting::Variant variant = draw.variant;
-    if (variant.storage == lighting::LightStorage::constants && !lights_.settled())
+    const bool worthCompiling =
+        lights_.of(draw.lights).count() <= constantsAtOnce ? lights_.settled() : lights_.lasting();
+    if (variant.storage == lighting::LightStorage::constants && !worthCompiling)
         variant.storage = lighting::LightStorage::uniforms;
     Program& program = programs_.get(variant, lights_.of(draw.lights));
     glUseProgram(program.id);

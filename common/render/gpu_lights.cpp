@@ -33,7 +33,6 @@ GpuLights::~GpuLights() { glDeleteTextures(1, &texture_); }
 void GpuLights::set(const lighting::FramePlan& plan) {
     std::swap(before_, all_);
     all_ = numbersOf(plan);
-    ambient_ = glm::vec3(glm::min(plan.ambient, glm::dvec3(std::numeric_limits<float>::max())));
     watch();
     sets_.clear();
     for (const lighting::LightSet& set : plan.lightSets)
@@ -45,23 +44,29 @@ void GpuLights::watch() {
     const std::vector<bool> movedBefore = before_.moves;
     if (all_.count() != before_.count()) {
         framesStill_.assign(all_.count(), framesToStandStill);
+        ambientStill_ = framesToStandStill;
         framesSettled_ = framesToSettle;
         return;
     }
+    const bool ambientMoved = before_.ambientMoves;
+    ambientStill_ = all_.ambient != before_.ambient ? 0 : std::min(ambientStill_ + 1, framesToStandStill);
+    all_.ambientMoves = ambientStill_ < framesToStandStill;
     for (std::size_t i = 0; i < all_.count(); ++i) {
         const bool changed = all_.geometry[i] != before_.geometry[i] ||
                              all_.radiance[i] != before_.radiance[i] || all_.falloff[i] != before_.falloff[i];
         framesStill_[i] = changed ? 0 : std::min(framesStill_[i] + 1, framesToStandStill);
         all_.moves[i] = framesStill_[i] < framesToStandStill;
     }
-    framesSettled_ = all_.moves == movedBefore ? std::min(framesSettled_ + 1, framesToSettle) : 0;
+    framesSettled_ = all_.moves == movedBefore && all_.ambientMoves == ambientMoved
+                         ? std::min(framesSettled_ + 1, 2 * framesToSettle)
+                         : 0;
 }
 
 void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
-    if (!reuse || program.ambient != ambient_) {
-        glUniform3fv(program.ambientLight, 1, &ambient_.x);
-        uploaded_ += program.ambientLight >= 0 ? sizeof ambient_ : 0;
-        program.ambient = ambient_;
+    if (program.ambientLight >= 0 && (!reuse || program.lights.ambient != all_.ambient)) {
+        glUniform3fv(program.ambientLight, 1, &all_.ambient.x);
+        uploaded_ += sizeof all_.ambient;
+        program.lights.ambient = all_.ambient;
     }
     if (program.lightData >= 0) {
         uploadTexture(reuse);
@@ -73,7 +78,8 @@ void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
     const LightNumbers now{inUniforms(set.geometry, set.moves, program.constants),
                            inUniforms(set.radiance, set.moves, program.constants),
                            inUniforms(set.falloff, set.moves, program.constants),
-                           {}};
+                           {},
+                           program.lights.ambient};
     if (reuse && same(program.lights, now))
         return;
     const auto send = [this](GLint place, const std::vector<glm::vec4>& values) {

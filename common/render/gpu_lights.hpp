@@ -26,6 +26,8 @@ class GpuLights {
     /// Whether it has been the same lights that move for some frames, so that the others are worth compiling in. True for a
     /// first frame: what has not been seen to move stands still.
     bool settled() const { return framesSettled_ >= framesToSettle; }
+    /// Whether some frames were drawn since then, so that even a program that takes long to compile will pay.
+    bool lasting() const { return framesSettled_ >= 2 * framesToSettle; }
     /// Gives a set's lights to a program, which must be in use. What it holds already is not sent again unless `reuse` is false.
     void use(Program& program, std::size_t lightSet, bool reuse);
     std::uint64_t uploadedBytes() const { return uploaded_; }
@@ -39,9 +41,9 @@ class GpuLights {
 
     LightNumbers all_;  // in the plan's order
     std::vector<LightNumbers> sets_;
-    glm::vec3 ambient_{0};
     LightNumbers before_;  // all_ of the frame before
     std::vector<int> framesStill_;  // of each light
+    int ambientStill_ = framesToStandStill;
     int framesSettled_ = framesToSettle;
     LightNumbers inTexture_;  // what the texture holds now
     unsigned texture_ = 0;

@@ -32,6 +32,7 @@ LightNumbers numbersOf(const lighting::FramePlan& plan) {
         all.falloff.push_back(toFloats({light.decay, light.exponent, 0}, 0));
     }
     all.moves.assign(all.count(), false);
+    all.ambient = glm::vec3(toFloats(plan.ambient, 0));
     return all;
 }
 
@@ -47,6 +48,8 @@ LightNumbers pick(const LightNumbers& all, const lighting::FramePlan& plan, cons
         append(i);
     for (const std::uint32_t i : set.point)
         append(plan.directional.size() + i);
+    out.ambient = all.ambient;
+    out.ambientMoves = all.ambientMoves;
     return out;
 }
 

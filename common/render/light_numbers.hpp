@@ -4,6 +4,7 @@
 
 #include "lighting/frame_plan.hpp"
 
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct LightNumbers {
     std::vector<glm::vec4> radiance;  ///< (L, intensity alone)
     std::vector<glm::vec4> falloff;  ///< (k, exponent, -, -)
     std::vector<bool> moves;  ///< whether it changed lately, so that it is no constant
+    glm::vec3 ambient{-1};  ///< L_A; negative: not known yet
+    bool ambientMoves = false;  ///< as moves
 
     std::size_t count() const { return geometry.size(); }
 };

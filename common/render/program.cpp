@@ -27,6 +27,8 @@ std::vector<float> constantsOf(const lighting::Variant& variant, const LightNumb
             for (const glm::vec4& v : {lights.geometry[i], lights.radiance[i], lights.falloff[i]})
                 out.insert(out.end(), &v.x, &v.x + 4);
     }
+    if (variant.ambient && !lights.ambientMoves)
+        out.insert(out.end(), &lights.ambient.x, &lights.ambient.x + 3);
     return out;
 }
 

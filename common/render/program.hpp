@@ -7,7 +7,6 @@
 
 #include <GLES3/gl3.h>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <set>
@@ -39,7 +38,6 @@ struct Program {
     GLint clusterScale = -1;
     bool constants = false;  ///< lights that stand still are compiled in
     LightNumbers lights;  ///< what the light uniforms hold now, so that nothing is uploaded twice
-    glm::vec3 ambient{-1};  ///< the same; no ambient light is negative
     std::uint64_t lastUsed = 0;  ///< counts calls of Programs::get
 };
 

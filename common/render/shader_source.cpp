@@ -138,18 +138,25 @@ ShaderSource readShader(const std::string& directory, const std::string& file, c
 
 namespace {
 
+// A GLSL vector of exactly these floats.
+template <int size>
+std::string vector(const glm::vec<size, float>& v) {
+    std::string out = "vec" + std::to_string(size) + "(";
+    for (int i = 0; i < size; ++i) {
+        char number[32];
+        std::snprintf(number, sizeof number, "%s%.9e", i > 0 ? ", " : "", static_cast<double>(v[i]));
+        out += number;
+    }
+    return out + ")";
+}
+
 // A GLSL array of the numbers of all lights, exactly; those that move are not compiled in.
 std::string constantArray(const char* name, const std::vector<glm::vec4>& values,
                           const std::vector<bool>& moves) {
     std::string out = std::string("const vec4 ") + name + "[" + std::to_string(values.size()) + "] = vec4[" +
                       std::to_string(values.size()) + "](\n";
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const glm::vec4 v = moves[i] ? glm::vec4(0) : values[i];
-        char line[128];
-        std::snprintf(line, sizeof line, "    vec4(%.9e, %.9e, %.9e, %.9e)%s\n", static_cast<double>(v.x),
-                      static_cast<double>(v.y), static_cast<double>(v.z), static_cast<double>(v.w),
-                      i + 1 < values.size() ? "," : "");
-        out += line;
+        out += "    " + vector(moves[i] ? glm::vec4(0) : values[i]) + (i + 1 < values.size() ? ",\n" : "\n");
     }
     return out + ");\n";
 }
@@ -184,6 +191,7 @@ std::string preamble(const lighting::Variant& v, const LightNumbers& lights, boo
         return out.str();
     for (const lighting::TermInfo& row : lighting::terms())
         define(row.define, static_cast<int>(v.terms >> static_cast<unsigned>(row.term) & 1U));
+    define("EMISSIVE", v.emissive);
     define("WINDOW", v.window);
     define("SCALED", v.scaled);
     out << "#define BLINN " << (v.blinn ? "true" : "false") << '\n';
@@ -203,10 +211,13 @@ std::string preamble(const lighting::Variant& v, const LightNumbers& lights, boo
     define("LIGHTS_ARE_CONSTANTS", constants);
     const auto inUniforms =
         constants ? std::count(lights.moves.begin(), lights.moves.end(), true) : v.directional + v.point();
+    define("AMBIENT_IS_CONSTANT", constants && v.ambient && !lights.ambientMoves);
     define("SOME_LIGHTS_MOVE", constants && inUniforms > 0);
     define("NUM_UNIFORM_LIGHTS", static_cast<int>(std::max<std::ptrdiff_t>(inUniforms, 1)));
     if (constants)
         out << lightConstants(lights);
+    if (constants && v.ambient && !lights.ambientMoves)
+        out << "#define AMBIENT_LIGHT " << vector(lights.ambient) << '\n';
     return out.str();
 }
 

@@ -53,6 +53,8 @@ struct FragmentBuiltins : VariantConstants {
 #define WINDOW 1
 #define LIGHTS_IN_TEXTURE 1
 #define CLUSTERED 0
+#define EMISSIVE 1
+#define AMBIENT_IS_CONSTANT 0
 #define TERM_ALBEDO 1
 #define TERM_COSINE 1
 #define TERM_CLAMP 1
