@@ -3,6 +3,7 @@
 #include "bench/error/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bench::error {
 
@@ -31,7 +32,10 @@ void add(SceneRow& to, const Row& row) {
     to.codes.wrong = std::max(to.codes.wrong, row.codes.wrong);
     to.lighting += row.cost.lighting;
     to.frame += row.cost.frame;
-    to.floor += row.cost.frame / row.cost.overFloor;
+    // The geometric mean of ratios, so that no case weighs more because it takes longer; noise can bring a cost to nothing.
+    const double ratio = std::max(countsFromFloor(row.scene) ? row.cost.overFloor : row.ratio, 1e-3);
+    to.ratio = std::pow(std::pow(to.ratio, to.cases) * ratio, 1.0 / (to.cases + 1));
+    ++to.cases;
 }
 
 void findFront(std::vector<SceneRow>& scene) {
@@ -68,11 +72,6 @@ std::vector<SceneRow> sumUp(const std::vector<Row>& rows) {
             if (sum.error.values > 0)
                 scene.push_back(sum);
         }
-        if (scene.empty())
-            continue;
-        for (SceneRow& row : scene)
-            row.ratio = countsFromFloor(row.scene) ? row.frame / row.floor
-                                                   : row.lighting / scene[threeMethod].lighting;
         findFront(scene);
         all.insert(all.end(), scene.begin(), scene.end());
     }

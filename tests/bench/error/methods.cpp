@@ -7,8 +7,6 @@
 #include "render/shader_source.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 namespace bench::error {
 
@@ -70,12 +68,12 @@ const std::vector<Method> table = {
      .approximate = true},
     {.id = "cut_0.5",
      .title = "range cut at 0.5 code",
-     .known = "lights that add less are missing, and there may be many of them",
+     .known = "light is missing, together at most half a code",
      .cut = 0.5,
      .approximate = true},
     {.id = "cut_0.01",
      .title = "range cut at 0.01 code",
-     .known = "the same, of less",
+     .known = "light is missing, together at most a hundredth of a code",
      .cut = 0.01,
      .approximate = true},
     {.id = "half_sum",
@@ -109,33 +107,6 @@ class Hidden {
     std::vector<THREE::Light*> lights_;
 };
 
-// The most that a point light can add to any mesh, in 8-bit codes: squarely from the nearest point of the bounding sphere.
-double mostCodes(const THREE::PointLight& light, const World& world) {
-    const THREE::Color L = light.radiance();
-    double most = 0;
-    for (const THREE::Mesh* mesh : world.meshes()) {
-        const THREE::Sphere& sphere = mesh->geometry->boundingSphere();
-        const THREE::Vector3 center = mesh->matrixWorld.applyTo(sphere.center);
-        const glm::dmat4& m = mesh->matrixWorld.elements;
-        const double stretch = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-        const double away = glm::length(glm::dvec3(light.matrixWorld.position()) - glm::dvec3(center));
-        const double d = std::max(away - sphere.radius * stretch, 0.0);  // 0 to the power of -k is infinity
-        const THREE::Color& D = mesh->material->color;
-        most = std::max(most, std::max({D.r * L.r, D.g * L.g, D.b * L.b}) * std::pow(d, -light.decay) * 255);
-    }
-    return most;
-}
-
-// The lights that a cut leaves out: where none alone could add `codes`. The one place that knows how a cut is made.
-std::vector<THREE::Light*> cutLights(const World& world, double codes) {
-    std::vector<THREE::Light*> lights;
-    for (THREE::Light* light : world.lights())
-        if (auto* point = dynamic_cast<THREE::PointLight*>(light);
-            codes > 0 && point != nullptr && mostCodes(*point, world) < codes)
-            lights.push_back(point);
-    return lights;
-}
-
 std::string shaderDirectory(const Method& method) {
     const std::string overlays = std::string(LAMBERT_SOURCE_DIR) + "/tests/bench/error/methods/";
     return render::findShaderDirectory(method.overlay ? overlays + method.id : std::string());
@@ -149,9 +120,7 @@ class ShaderDrawer : public Drawer {
     image::Frame draw(bool floats) override {
         lighting::Settings settings = world_.settings;
         settings.shading = method_.shading;
-        Hidden hidden;
-        for (THREE::Light* light : cutLights(world_, method_.cut))
-            hidden.hide(*light);
+        settings.lightCut = method_.cut;
         lighting::FramePlan plan = lighting::planFrame(world_.scene, world_.camera, settings);
         for (lighting::Draw& draw : plan.draws)
             draw.variant.scaled |= draw.variant.lit && method_.scaled;
@@ -210,7 +179,11 @@ class ProcessorDrawer : public Drawer {
 const std::vector<Method>& methods() { return table; }
 
 bool isDefault(const Method& method, const World& world) {
-    return &method == &table[defaultMethod] || (method.cut > 0 && cutLights(world, method.cut).empty());
+    if (method.cut == 0)
+        return &method == &table[defaultMethod];
+    lighting::Settings settings = world.settings;
+    settings.lightCut = method.cut;
+    return lighting::planFrame(world.scene, world.camera, settings).cutCodes == 0;
 }
 
 std::unique_ptr<Drawer> makeDrawer(const Method& method, World& world, int size) {

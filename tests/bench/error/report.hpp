@@ -30,7 +30,7 @@ struct Row {
     bool boundBroken() const { return method == defaultMethod && !(shadingError <= bound); }
 };
 
-/// One method in one scene: the worst error and the summed cost of its cases.
+/// One method in one scene: the worst error and the mean cost of its cases.
 struct SceneRow {
     std::string scene;
     std::size_t method;
@@ -38,9 +38,10 @@ struct SceneRow {
     CodeError codes;  ///< `max` is the worst, `mean` and `wrong` are the worst case's too
     double lighting = 0;  ///< summed lighting cost, milliseconds
     double frame = 0;  ///< summed cost of whole frames, milliseconds
-    double floor = 0;  ///< summed cost of the flat-colour frames, milliseconds
+    int cases = 0;
     double ratio =
-        0;  ///< lighting cost over that of three.js's order; in S9, where nothing is lit, frame over floor
+        1;  ///< lighting cost over that of three.js's order, or in S9, where nothing is lit, frame over floor: the
+        ///< geometric mean of the cases
     bool onFront = false;  ///< no method that is more than 3 % cheaper has so small an error in floats
     bool onFrontCodes = false;  ///< the same in 8 bits: largest and mean error
 };
