@@ -220,6 +220,8 @@ StrictVertex strictVertex(const lighting::Draw& draw, const glm::dvec3& position
 
 StrictFragment strictFragment(const lighting::FramePlan& plan, const lighting::Draw& draw,
                               const glm::vec3& worldPosition, const glm::vec3& worldNormal, bool front) {
+    if (!draw.variant.lit)
+        return {glm::vec3(draw.albedo), false};  // unlit.frag
     return draw.variant.scaled
                ? glsl::run<glsl::ScaledFragment>(plan, draw, worldPosition, worldNormal, front)
                : glsl::run<glsl::PlainFragment>(plan, draw, worldPosition, worldNormal, front);
@@ -233,6 +235,8 @@ StrictGouraudVertex strictGouraudVertex(const lighting::FramePlan& plan, const l
 
 StrictFragment strictGouraudFragment(const lighting::Draw& draw, const StrictGouraudVertex& between,
                                      bool front) {
+    if (!draw.variant.lit)
+        return {glm::vec3(draw.albedo), false};
     return draw.variant.scaled ? glsl::runGouraud<glsl::ScaledGouraudFragment>(draw, between, front)
                                : glsl::runGouraud<glsl::PlainGouraudFragment>(draw, between, front);
 }

@@ -34,7 +34,7 @@ struct StrictFragment {
 StrictVertex strictVertex(const lighting::Draw& draw, const glm::dvec3& position, const glm::dvec3& normal);
 
 /// Runs mesh.frag on a point and a normal as the rasteriser interpolated them, frame space, with all terms on. For
-/// draws with a lit material only. draw.variant.scaled picks the text (shaders/range.glsl); `front` matters only
+/// draws with a lit material only; one that the plan found to be of one colour has that. draw.variant.scaled picks the text (shaders/range.glsl); `front` matters only
 /// where the draw is double-sided.
 StrictFragment strictFragment(const lighting::FramePlan& plan, const lighting::Draw& draw,
                               const glm::vec3& worldPosition, const glm::vec3& worldNormal,
