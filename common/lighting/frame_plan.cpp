@@ -243,7 +243,7 @@ class Planner {
     void showSides(Draw& draw) {
         draw.side = draw.mesh->material->side;
         if (draw.side != THREE::DoubleSide || !settings_.skip || !(draw.nearestDepth > near_) ||
-            !draw.mesh->geometry->isConvexSolid())
+            !draw.mesh->geometry->hidesItsBacks())
             return;
         draw.side = THREE::FrontSide;
         draw.variant.doubleSided = false;

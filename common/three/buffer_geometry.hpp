@@ -98,15 +98,19 @@ class BufferGeometry : public Resource {
         updateBounds();
         return sphere_;
     }
-    /// Whether it is closed, all its edges are convex and its triangles face outwards (several such solids will do), so that from
-    /// outside no back of a triangle is seen. Found out once per version; always false above 50,000 triangles.
-    bool isConvexSolid() const;
+    /// Whether no back of a triangle is seen from outside: it is closed, its triangles face outwards, and it crosses itself nowhere.
+    /// Known of solids whose edges are all convex (several will do) and of whole tori and knots with a tube of their own width;
+    /// false for all others, and above 100,000 triangles. Found out once per version.
+    bool hidesItsBacks() const;
 
     /// For validate(): the version whose numbers were last found good, so that a still geometry is read once.
     std::uint64_t validatedVersion() const { return validatedVersion_; }
     void markValidated() const { validatedVersion_ = version_; }
 
   protected:
+    /// For constructors: the surface as it is now does not cross itself.
+    void meetsItselfNowhere() { simpleVersion_ = version_; }
+
     std::uint64_t version_ = 1;
 
   private:
@@ -121,6 +125,7 @@ class BufferGeometry : public Resource {
     mutable Box3 box_;
     mutable Sphere sphere_;
     mutable std::uint64_t boundsVersion_ = 0;
+    std::uint64_t simpleVersion_ = 0;
     mutable std::uint64_t solidVersion_ = 0;
     mutable bool solid_ = false;
     mutable std::uint64_t validatedVersion_ = 0;

@@ -50,6 +50,33 @@ KnotFrame knotFrame(double angle, double ratio, double radius) {
     return {point, unit(Vector3(binormal).cross(tangent)), binormal};
 }
 
+/// Whether a tube around the closed knot through `points` stays clear of itself, with a twentieth to spare: it must bend less
+/// sharply than it is thick, and stretches that are not neighbours must be two radii apart.
+bool staysClear(const std::vector<Vector3>& points, double tube) {
+    const double spare = 1.05 * std::fabs(tube);
+    const std::size_t count = points.size();
+    if (count < 32 || !(spare > 0))
+        return false;
+    std::vector<double> along{0};  // length of the curve up to each point
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vector3 &here = points[i], &next = points[(i + 1) % count],
+                      &afterNext = points[(i + 2) % count];
+        const Vector3 first = Vector3(next).sub(here), second = Vector3(afterNext).sub(next);
+        along.push_back(along.back() + first.length());
+        const double halfTurn = std::atan2(Vector3(first).cross(second).length(), first.dot(second)) / 2;
+        if (std::min(first.length(), second.length()) < 2 * spare * std::tan(halfTurn))
+            return false;
+    }
+    const double whole = along.back();
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const double between = std::min(along[j] - along[i], whole - (along[j] - along[i]));
+            if (between > std::numbers::pi * spare && Vector3(points[i]).sub(points[j]).length() < 2 * spare)
+                return false;
+        }
+    return true;
+}
+
 bool isWhole(double number) { return number == std::floor(number); }
 
 /// A cylinder's constructor call, with whole segments.
@@ -183,6 +210,8 @@ TorusGeometry::TorusGeometry(double radius, double tube, double radialSegments, 
             builder.addQuad(a, b, b + 1, a + 1);
         }
     builder.store(*this);
+    if (arc == fullTurn && std::fabs(tube) < std::fabs(radius))
+        meetsItselfNowhere();
 }
 
 TorusKnotGeometry::TorusKnotGeometry(double radius, double tube, double tubularSegments,
@@ -209,9 +238,12 @@ TorusKnotGeometry::TorusKnotGeometry(double radius, double tube, double tubularS
     const std::vector<Direction> rounds = arcDirections(0, fullTurn, columns);
     // Only then does the curve end where it began, and the last ring must be the first to the bit.
     const bool closes = isWhole(p) && isWhole(q);
+    std::vector<Vector3> middle;
     for (std::size_t row = 0; row <= rows; ++row) {
         const double turns = closes && row == rows ? 0 : share(row, rows) * p;
         const KnotFrame frame = knotFrame(turns * fullTurn, ratio, radius);
+        if (row < rows)
+            middle.push_back(frame.point);
         for (std::size_t column = 0; column <= columns; ++column) {
             const Direction round = rounds[column];
             const Vector3 out = combine(-round.cosine, frame.normal, round.sine, frame.binormal);
@@ -221,6 +253,8 @@ TorusKnotGeometry::TorusKnotGeometry(double radius, double tube, double tubularS
     }
     builder.addGrid(0, rows, columns);
     builder.store(*this);
+    if (closes && rows <= 4096 && staysClear(middle, tube))
+        meetsItselfNowhere();
 }
 
 CylinderGeometry::CylinderGeometry(double radiusTop, double radiusBottom, double height,

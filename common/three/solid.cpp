@@ -13,7 +13,7 @@ namespace THREE {
 
 namespace {
 
-constexpr std::size_t mostTriangles = 50'000;  // above it, finding out costs more than it spares
+constexpr std::size_t mostTriangles = 100'000;  // above it, finding out costs more than it spares
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -53,8 +53,9 @@ class Welded {
     std::vector<Triangle> triangles;
 };
 
-// Across each edge lies one other triangle, turned the same way and not above the plane of this one.
-bool isClosedAndConvex(const Welded& mesh, double size) {
+// Across each edge lies one other triangle, turned the same way and, where `convex` is asked for, not above the plane of this
+// one.
+bool isClosed(const Welded& mesh, bool convex, double size) {
     std::unordered_map<std::uint64_t, std::uint32_t> opposite;  // of a directed edge: the third vertex
     const auto edge = [](std::uint32_t from, std::uint32_t to) {
         return static_cast<std::uint64_t>(from) << 32U | to;
@@ -69,20 +70,33 @@ bool isClosedAndConvex(const Welded& mesh, double size) {
         const double tolerance = 1e-9 * glm::length(normal) * size;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto across = opposite.find(edge(t[(i + 1) % 3], t[i]));
-            if (across == opposite.end() || glm::dot(normal, mesh.points[across->second] - a) > tolerance)
+            if (across == opposite.end() ||
+                (convex && glm::dot(normal, mesh.points[across->second] - a) > tolerance))
                 return false;
         }
     }
     return !mesh.triangles.empty();
 }
 
+// Six times the volume inside; negative where triangles face inwards.
+double volume(const Welded& mesh) {
+    double sum = 0;
+    for (const Triangle& t : mesh.triangles)
+        sum += glm::dot(mesh.points[t[0]], glm::cross(mesh.points[t[1]], mesh.points[t[2]]));
+    return sum;
+}
+
 }  // namespace
 
-bool BufferGeometry::isConvexSolid() const {
+bool BufferGeometry::hidesItsBacks() const {
     if (solidVersion_ != version_) {
         const BufferAttribute* const position = getAttribute("position");
-        solid_ = position != nullptr && position->itemSize >= 3 && triangleCount() <= mostTriangles &&
-                 isClosedAndConvex(Welded(*this), boundingSphere().radius);
+        solid_ = position != nullptr && position->itemSize >= 3 && triangleCount() <= mostTriangles;
+        if (solid_) {
+            const Welded mesh(*this);
+            const bool simple = simpleVersion_ == version_;
+            solid_ = isClosed(mesh, !simple, boundingSphere().radius) && volume(mesh) > 0;
+        }
         solidVersion_ = version_;
     }
     return solid_;
