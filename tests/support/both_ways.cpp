@@ -1,0 +1,84 @@
+// Draws a scene with and without what lighting/frame_plan.hpp leaves out: the frames must be the same bytes.
+// SPDX-License-Identifier: MIT
+#include "support/both_ways.hpp"
+
+#include "three/validate.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace support {
+
+namespace {
+
+template <class Values>
+std::string differenceOf(const image::Frame& a, const Values& x, const Values& y) {
+    int pixels = 0;
+    std::ostringstream first;
+    first.precision(9);
+    for (std::size_t i = 0; i < x.size(); i += 3) {
+        if (std::memcmp(&x[i], &y[i], 3 * sizeof x[i]) == 0)
+            continue;
+        const auto pixel = static_cast<int>(i / 3);
+        if (pixels++ == 0)
+            for (std::size_t c = 0; c < 3; ++c)
+                first << (c == 0 ? "" : ", ") << +x[i + c] << " is " << +y[i + c];
+        if (pixels == 1)
+            first << " at " << pixel % a.width << ',' << pixel / a.width;
+    }
+    return pixels == 0 ? "" : std::to_string(pixels) + " pixels differ, the first: " + first.str();
+}
+
+}  // namespace
+
+std::string difference(const image::Frame& a, const image::Frame& b) {
+    if (a.width != b.width || a.height != b.height || a.pixels.index() != b.pixels.index())
+        return "sizes or kinds differ";
+    if (const auto* const floats = std::get_if<image::Floats>(&a.pixels))
+        return differenceOf(a, *floats, std::get<image::Floats>(b.pixels));
+    return differenceOf(a, std::get<image::Bytes>(a.pixels), std::get<image::Bytes>(b.pixels));
+}
+
+std::string difference(const Frames& a, const Frames& b) {
+    const std::string floats = difference(a.floats, b.floats);
+    const std::string codes = difference(a.codes, b.codes);
+    return (floats.empty() ? "" : "floats: " + floats + "\n") + (codes.empty() ? "" : "codes: " + codes);
+}
+
+void makeReady(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
+    camera.aspect = static_cast<double>(options.width) / options.height;
+    scene.updateMatrixWorld();
+    camera.updateWorldMatrix();
+    THREE::validate(scene, camera);
+}
+
+Frames drawFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                  const DrawOptions& options) {
+    Frames out;
+    out.plan = lighting::planFrame(scene, camera, options.settings);
+    out.codes = renderer().render(out.plan, options.settings, {options.width, options.height, false});
+    out.floats = renderer().render(out.plan, options.settings, {options.width, options.height, true});
+    out.stats = renderer().stats();
+    return out;
+}
+
+bool BothWays::tells(const THREE::Object3D& object, const std::string& why) const {
+    return std::any_of(skipped.plan.skipped.begin(), skipped.plan.skipped.end(), [&](const auto& s) {
+        return s.object == &object && s.why.find(why) != std::string::npos;
+    });
+}
+
+BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
+    makeReady(scene, camera, options);
+    DrawOptions other = options;
+    other.settings.skip = true;
+    BothWays both{drawFrames(scene, camera, other), {}};
+    other.settings.skip = false;
+    both.whole = drawFrames(scene, camera, other);
+    EXPECT_EQ(difference(both.skipped, both.whole), "");
+    return both;
+}
+
+}  // namespace support

@@ -1,0 +1,42 @@
+// Draws a scene with and without what lighting/frame_plan.hpp leaves out: the frames must be the same bytes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "support/draw.hpp"
+
+#include <string>
+
+namespace support {
+
+/// A plan that was drawn in floats and in 8 bits; the stats are those of the floats.
+struct Frames {
+    lighting::FramePlan plan;
+    image::Frame floats, codes;
+    render::FrameStats stats;
+};
+
+/// Plans and draws. The scene must have been made ready.
+Frames drawFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                  const DrawOptions& options);
+
+/// Updates matrices and sets the camera's aspect; validates.
+void makeReady(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
+
+/// Where two frames differ: "" if they are the same bytes, else how many pixels do, the first one's place and both values.
+std::string difference(const image::Frame& a, const image::Frame& b);
+
+/// The same of both pairs of frames.
+std::string difference(const Frames& a, const Frames& b);
+
+/// The same scene with its skips and without (settings.skip).
+struct BothWays {
+    Frames skipped, whole;
+
+    /// Whether the plan tells of `object`, with a reason that has `why` in it.
+    bool tells(const THREE::Object3D& object, const std::string& why) const;
+};
+
+/// Makes ready, draws both ways, and fails the test where a byte differs.
+BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
+
+}  // namespace support
