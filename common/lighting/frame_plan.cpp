@@ -219,7 +219,8 @@ class Planner {
         if (isZero(glm::dvec3(draw.model[0])) && isZero(glm::dvec3(draw.model[1])) &&
             isZero(glm::dvec3(draw.model[2])))
             return skipMesh(mesh, "its scale is 0");
-        if (!place(draw, sphere) && settings_.skip)
+        draw.outside = !place(draw, sphere);
+        if (draw.outside && settings_.skip)
             return skipMesh(mesh, "it is outside the camera's view");
         if (settings_.space == Space::view) {
             draw.model = toLighting_ * draw.model;
