@@ -23,7 +23,9 @@ void checkSkips(RandomLab& lab) {
     lab.options.settings.skip = true;
     const support::Frames skipped = support::drawFrames(lab.scene, lab.camera, lab.options);
     lab.options.settings.skip = false;
-    const support::Frames whole = support::drawFrames(lab.scene, lab.camera, lab.options);
+    const support::Frames whole = support::drawFrames(
+        support::withSidesOf(skipped.plan, lighting::planFrame(lab.scene, lab.camera, lab.options.settings)),
+        lab.options);
     RC_CLASSIFY(!skipped.plan.skipped.empty(), "something is skipped");
     RC_CLASSIFY(skipped.stats.pairsSkipped > 0, "lights end before meshes");
     RC_CLASSIFY(skipped.plan.sidesSkipped > 0, "back faces are hidden");

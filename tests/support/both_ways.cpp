@@ -13,6 +13,8 @@ namespace support {
 
 namespace {
 
+constexpr int mostBeyondSilhouettes = 3;  // measured: 16 in 120 frames of 256 x 256
+
 template <class Values>
 std::string differenceOf(const image::Frame& a, const Values& x, const Values& y) {
     int pixels = 0;
@@ -56,8 +58,12 @@ void makeReady(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Draw
 
 Frames drawFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                   const DrawOptions& options) {
+    return drawFrames(lighting::planFrame(scene, camera, options.settings), options);
+}
+
+Frames drawFrames(lighting::FramePlan plan, const DrawOptions& options) {
     Frames out;
-    out.plan = lighting::planFrame(scene, camera, options.settings);
+    out.plan = std::move(plan);
     out.codes = renderer().render(out.plan, options.settings, {options.width, options.height, false});
     out.floats = renderer().render(out.plan, options.settings, {options.width, options.height, true});
     out.stats = renderer().stats();
@@ -70,6 +76,21 @@ bool BothWays::tells(const THREE::Object3D& object, const std::string& why) cons
     });
 }
 
+lighting::FramePlan withSidesOf(const lighting::FramePlan& skipped, lighting::FramePlan whole) {
+    for (lighting::Draw& draw : whole.draws)
+        for (const lighting::Draw& other : skipped.draws)
+            if (other.mesh == draw.mesh) {
+                draw.side = other.side;
+                draw.variant.doubleSided = other.variant.doubleSided;
+            }
+    return whole;
+}
+
+int differingPixels(const image::Frame& a, const image::Frame& b) {
+    const std::string text = difference(a, b);
+    return text.empty() ? 0 : std::stoi(text);
+}
+
 BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
     makeReady(scene, camera, options);
     DrawOptions other = options;
@@ -77,7 +98,13 @@ BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, con
     BothWays both{drawFrames(scene, camera, other), {}};
     other.settings.skip = false;
     both.whole = drawFrames(scene, camera, other);
-    EXPECT_EQ(difference(both.skipped, both.whole), "");
+    if (both.skipped.plan.sidesSkipped == 0) {
+        EXPECT_EQ(difference(both.skipped, both.whole), "");
+        return both;
+    }
+    const Frames oneSided = drawFrames(withSidesOf(both.skipped.plan, both.whole.plan), other);
+    EXPECT_EQ(difference(both.skipped, oneSided), "");
+    EXPECT_LE(differingPixels(both.skipped.floats, both.whole.floats), mostBeyondSilhouettes);
     return both;
 }
 

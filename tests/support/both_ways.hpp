@@ -18,6 +18,7 @@ struct Frames {
 /// Plans and draws. The scene must have been made ready.
 Frames drawFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                   const DrawOptions& options);
+Frames drawFrames(lighting::FramePlan plan, const DrawOptions& options);
 
 /// Updates matrices and sets the camera's aspect; validates.
 void makeReady(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
@@ -27,6 +28,7 @@ std::string difference(const image::Frame& a, const image::Frame& b);
 
 /// The same of both pairs of frames.
 std::string difference(const Frames& a, const Frames& b);
+int differingPixels(const image::Frame& a, const image::Frame& b);
 
 /// The same scene with its skips and without (settings.skip).
 struct BothWays {
@@ -36,7 +38,12 @@ struct BothWays {
     bool tells(const THREE::Object3D& object, const std::string& why) const;
 };
 
-/// Makes ready, draws both ways, and fails the test where a byte differs.
+/// A plan with nothing skipped, but with only those faces of closed meshes drawn that `skipped` draws. Back faces are the one
+/// exact skip that pixels may tell: where a pixel's centre is beyond a silhouette by less than the 1/256 pixel that drivers
+/// round vertices to, both faces cover it, and the back one is the nearer.
+lighting::FramePlan withSidesOf(const lighting::FramePlan& skipped, lighting::FramePlan whole);
+
+/// Makes ready, draws both ways, and fails the test where a byte differs; beyond silhouettes (withSidesOf) some pixels may.
 BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
 
 }  // namespace support
