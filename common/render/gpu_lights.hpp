@@ -35,13 +35,14 @@ class GpuLights {
     static constexpr int framesToStandStill = 30;
 
     void watch();
-    void uploadTexture(bool reuse);
+    void uploadTexture(const LightNumbers& lights, bool reuse);
 
     LightNumbers all_;  // in the plan's order
     std::vector<LightNumbers> sets_;
     glm::vec3 ambient_{0};
     LightNumbers before_;  // all_ of the frame before
     std::vector<int> framesStill_;  // of each light
+    std::vector<const THREE::Light*> moving_;  // in order
     int framesSettled_ = framesToSettle;
     LightNumbers inTexture_;  // what the texture holds now
     unsigned texture_ = 0;

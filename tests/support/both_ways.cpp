@@ -61,12 +61,12 @@ Frames drawFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& cam
     return drawFrames(lighting::planFrame(scene, camera, options.settings), options);
 }
 
-Frames drawFrames(lighting::FramePlan plan, const DrawOptions& options) {
+Frames drawFrames(lighting::FramePlan plan, const DrawOptions& options, render::GlRenderer& with) {
     Frames out;
     out.plan = std::move(plan);
-    out.codes = renderer().render(out.plan, options.settings, {options.width, options.height, false});
-    out.floats = renderer().render(out.plan, options.settings, {options.width, options.height, true});
-    out.stats = renderer().stats();
+    out.codes = with.render(out.plan, options.settings, {options.width, options.height, false});
+    out.floats = with.render(out.plan, options.settings, {options.width, options.height, true});
+    out.stats = with.stats();
     return out;
 }
 

@@ -18,7 +18,8 @@ struct Frames {
 /// Plans and draws. The scene must have been made ready.
 Frames drawFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                   const DrawOptions& options);
-Frames drawFrames(lighting::FramePlan plan, const DrawOptions& options);
+Frames drawFrames(lighting::FramePlan plan, const DrawOptions& options,
+                  render::GlRenderer& with = renderer());
 
 /// Updates matrices and sets the camera's aspect; validates.
 void makeReady(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
