@@ -14,7 +14,7 @@ using support::RandomLab;
 
 void expectNoDifference(const support::Frames& a, const support::Frames& b) {
     const std::string where = support::difference(a, b);
-    RC_LOG() << where;
+    RC_LOG() << '\n' << where;
     RC_ASSERT(where.empty());
 }
 
