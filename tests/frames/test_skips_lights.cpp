@@ -1,6 +1,5 @@
 // Lights as constants of a shader, as uniforms and in a texture: the same bytes, also while some of them move.
 // SPDX-License-Identifier: MIT
-#include "render/shader_source.hpp"
 #include "support/both_ways.hpp"
 #include "support/stage.hpp"
 
@@ -32,8 +31,8 @@ struct Lamps : testing::Test, support::Stage {
         support::makeReady(scene, camera, options);
         options.settings.constantLights = constantLights;
         options.settings.uniformLights = uniformLights;
-        render::GlRenderer fresh(render::findShaderDirectory(""));  // which has seen none of them move
-        return support::drawFrames(lighting::planFrame(scene, camera, options.settings), options, fresh);
+        const auto fresh = support::freshRenderer();
+        return support::drawFrames(lighting::planFrame(scene, camera, options.settings), options, *fresh);
     }
     // All three forms of the lights, as they are now.
     void expectTheSame() {
@@ -100,7 +99,7 @@ TEST_F(Lamps, NumbersThatCompilersKnow) {
 
 // One lamp among others that stand still.
 struct MovingLamp : Lamps {
-    render::GlRenderer watched{render::findShaderDirectory("")};
+    std::unique_ptr<render::GlRenderer> watched = support::freshRenderer();
     double compiled = 0;  // milliseconds
 
     MovingLamp() { addLamps(5, false); }
@@ -108,8 +107,8 @@ struct MovingLamp : Lamps {
     lighting::Variant frame() {
         support::makeReady(scene, camera, options);
         const render::FrameRequest request{options.width, options.height, true};
-        const image::Frame found = watched.render(scene, camera, options.settings, request);
-        const lighting::Variant variant = *watched.stats().variants.begin();
+        const image::Frame found = watched->render(scene, camera, options.settings, request);
+        const lighting::Variant variant = *watched->stats().variants.begin();
         lighting::Settings plain = options.settings;
         plain.constantLights = 0;
         EXPECT_EQ(support::difference(found, support::renderer().render(scene, camera, plain, request)), "");
@@ -118,7 +117,7 @@ struct MovingLamp : Lamps {
     // Whether the last frame compiled anything.
     bool compiledMore() {
         const double before = compiled;
-        compiled = watched.stats().compileMilliseconds;
+        compiled = watched->stats().compileMilliseconds;
         return compiled != before;
     }
     void move(int t) { bulbs[2]->position.set(3 * std::cos(0.1 * t), 2, 3 * std::sin(0.1 * t)); }
@@ -127,7 +126,7 @@ struct MovingLamp : Lamps {
 TEST_F(MovingLamp, LeavesTheConstantsAndComesBack) {
     EXPECT_EQ(frame().storage, LightStorage::constants) << "what has not been seen to move stands still";
     frame();
-    EXPECT_EQ(watched.stats().uploadedBytes, 0U);
+    EXPECT_EQ(watched->stats().uploadedBytes, 0U);
     compiledMore();
     int changes = 0, compilations = 0;
     LightStorage last = LightStorage::constants;
@@ -142,8 +141,8 @@ TEST_F(MovingLamp, LeavesTheConstantsAndComesBack) {
         }
         if (t > 20) {
             EXPECT_EQ(now, LightStorage::constants) << "those that stand still";
-            EXPECT_LE(watched.stats().uploadedBytes, 2 * 48U) << "one lamp for each of two shaders";
-            EXPECT_GE(watched.stats().uploadedBytes, 48U);
+            EXPECT_LE(watched->stats().uploadedBytes, 2 * 48U) << "one lamp for each of two shaders";
+            EXPECT_GE(watched->stats().uploadedBytes, 48U);
         }
     }
     EXPECT_EQ(changes, 2);
@@ -153,7 +152,7 @@ TEST_F(MovingLamp, LeavesTheConstantsAndComesBack) {
         compilations += compiledMore() ? 1 : 0;
     }
     EXPECT_EQ(last, LightStorage::constants);
-    EXPECT_EQ(watched.stats().uploadedBytes, 0U) << "all of them";
+    EXPECT_EQ(watched->stats().uploadedBytes, 0U) << "all of them";
     EXPECT_EQ(compilations, 3);
     bulbs[2]->color = THREE::Color(0x00FF00);
     EXPECT_EQ(frame().storage, LightStorage::uniforms) << "a colour moves as a place does";
@@ -194,7 +193,7 @@ TEST_F(MovingLamp, AnotherSceneStandsStill) {
     for (int t = 0; t < 60; ++t)
         frame();
     EXPECT_EQ(frame().storage, LightStorage::constants);
-    EXPECT_EQ(watched.stats().uploadedBytes, 0U);
+    EXPECT_EQ(watched->stats().uploadedBytes, 0U);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // What a frame leaves out of its meshes: those out of view, lights of black ones, faces that are hidden, uploads. Each time the
 // same bytes as with --no-skip, a counter that says so, and fewer draws, lights or faces.
 // SPDX-License-Identifier: MIT
-#include "render/shader_source.hpp"
+#include "render/program.hpp"
 #include "support/both_ways.hpp"
 #include "support/stage.hpp"
 
@@ -236,11 +236,11 @@ TEST_F(SkippedMeshes, NothingIsUploadedTwice) {
     bulb({-2, 2, 2}, 3, 2);
     place();
     support::makeReady(scene, camera, options);
-    render::GlRenderer fresh(render::findShaderDirectory(""));
+    const auto fresh = support::freshRenderer();
     const auto bytes = [&] {
         scene.updateMatrixWorld();
-        fresh.render(scene, camera, options.settings, {60, 52, false});
-        return fresh.stats().uploadedBytes;
+        fresh->render(scene, camera, options.settings, {60, 52, false});
+        return fresh->stats().uploadedBytes;
     };
     EXPECT_GT(bytes(), knotGeometry.vertexCount() * 24);
     EXPECT_EQ(bytes(), 0U);

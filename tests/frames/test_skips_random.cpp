@@ -1,7 +1,6 @@
 // Random scenes, drawn with their skips and without, and with their lights in constants, uniforms and a texture: the same bytes.
 // A failing one prints the seed that makes it again (RC_PARAMS, RapidCheck's documentation) and shrinks the scene.
 // SPDX-License-Identifier: MIT
-#include "render/shader_source.hpp"
 #include "support/both_ways.hpp"
 #include "support/random_lab.hpp"
 
@@ -25,7 +24,8 @@ void checkSkips(RandomLab& lab) {
     const support::Frames skipped = support::drawFrames(lab.scene, lab.camera, lab.options);
     lab.options.settings.skip = false;
     const support::Frames whole = support::drawFrames(
-        support::withSidesOf(skipped.plan, lighting::planFrame(lab.scene, lab.camera, lab.options.settings)),
+        support::withFacesAndOrderOf(skipped.plan,
+                                     lighting::planFrame(lab.scene, lab.camera, lab.options.settings)),
         lab.options);
     RC_CLASSIFY(!skipped.plan.skipped.empty(), "something is skipped");
     RC_CLASSIFY(skipped.stats.pairsSkipped > 0, "lights end before meshes");
@@ -58,9 +58,9 @@ RC_GTEST_PROP(Storage, ChangesNoByte, ()) {
     support::makeReady(lab.scene, lab.camera, lab.options);
     RC_LOG() << lab.text();
     lighting::Settings& s = lab.options.settings;
-    render::GlRenderer fresh(render::findShaderDirectory(""));  // which has seen no light move
+    const auto fresh = support::freshRenderer();
     const support::Frames constants =
-        support::drawFrames(lighting::planFrame(lab.scene, lab.camera, s), lab.options, fresh);
+        support::drawFrames(lighting::planFrame(lab.scene, lab.camera, s), lab.options, *fresh);
     s.constantLights = 0;
     const support::Frames uniforms = support::drawFrames(lab.scene, lab.camera, lab.options);
     s.uniformLights = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/both_ways.hpp"
 
+#include "render/shader_source.hpp"
 #include "three/validate.hpp"
 
 #include <algorithm>
@@ -76,14 +77,25 @@ bool BothWays::tells(const THREE::Object3D& object, const std::string& why) cons
     });
 }
 
-lighting::FramePlan withSidesOf(const lighting::FramePlan& skipped, lighting::FramePlan whole) {
+lighting::FramePlan withFacesAndOrderOf(const lighting::FramePlan& skipped, lighting::FramePlan whole) {
+    const auto place = [&skipped](const lighting::Draw& draw) {
+        return std::find_if(skipped.draws.begin(), skipped.draws.end(),
+                            [&draw](const lighting::Draw& other) { return other.mesh == draw.mesh; });
+    };
     for (lighting::Draw& draw : whole.draws)
-        for (const lighting::Draw& other : skipped.draws)
-            if (other.mesh == draw.mesh) {
-                draw.side = other.side;
-                draw.variant.doubleSided = other.variant.doubleSided;
-            }
+        if (const auto other = place(draw); other != skipped.draws.end()) {
+            draw.side = other->side;
+            draw.variant.doubleSided = other->variant.doubleSided;
+        }
+    std::stable_sort(
+        whole.draws.begin(), whole.draws.end(),
+        [&place](const lighting::Draw& a, const lighting::Draw& b) { return place(a) < place(b); });
     return whole;
+}
+
+std::unique_ptr<render::GlRenderer> freshRenderer() {
+    renderer();  // makes the context
+    return std::make_unique<render::GlRenderer>(render::findShaderDirectory(""));
 }
 
 int differingPixels(const image::Frame& a, const image::Frame& b) {
@@ -102,7 +114,7 @@ BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, con
         EXPECT_EQ(difference(both.skipped, both.whole), "");
         return both;
     }
-    const Frames oneSided = drawFrames(withSidesOf(both.skipped.plan, both.whole.plan), other);
+    const Frames oneSided = drawFrames(withFacesAndOrderOf(both.skipped.plan, both.whole.plan), other);
     EXPECT_EQ(difference(both.skipped, oneSided), "");
     EXPECT_LE(differingPixels(both.skipped.floats, both.whole.floats), mostBeyondSilhouettes);
     return both;

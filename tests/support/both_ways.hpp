@@ -4,6 +4,7 @@
 
 #include "support/draw.hpp"
 
+#include <memory>
 #include <string>
 
 namespace support {
@@ -39,12 +40,16 @@ struct BothWays {
     bool tells(const THREE::Object3D& object, const std::string& why) const;
 };
 
-/// A plan with nothing skipped, but with only those faces of closed meshes drawn that `skipped` draws. Back faces are the one
-/// exact skip that pixels may tell: where a pixel's centre is beyond a silhouette by less than the 1/256 pixel that drivers
-/// round vertices to, both faces cover it, and the back one is the nearer.
-lighting::FramePlan withSidesOf(const lighting::FramePlan& skipped, lighting::FramePlan whole);
+/// A plan with nothing skipped, but with only those faces of closed meshes drawn that `skipped` draws, in its order of meshes.
+/// These are the two exact skips that pixels may tell. Where a pixel's centre is beyond a silhouette by less than the 1/256
+/// pixel that drivers round vertices to, both faces of a solid cover it, and the back one is the nearer. And where two meshes
+/// have the same depth, the later one is seen.
+lighting::FramePlan withFacesAndOrderOf(const lighting::FramePlan& skipped, lighting::FramePlan whole);
 
-/// Makes ready, draws both ways, and fails the test where a byte differs; beyond silhouettes (withSidesOf) some pixels may.
+/// A renderer that has seen no light move.
+std::unique_ptr<render::GlRenderer> freshRenderer();
+
+/// Makes ready, draws both ways, and fails the test where a byte differs; beyond silhouettes (withFacesAndOrderOf) some pixels may.
 BothWays drawBothWays(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options);
 
 }  // namespace support
