@@ -47,12 +47,13 @@ std::string broken(const Frames& cut, const Frames& whole, double asked, double 
 // The stage under bulbs that fall off.
 struct LightCut : testing::Test, support::Stage {
     LightCut() {
+        options.settings.constantLights = 0;  // which would take longer to compile
         options.width = 60;
         options.height = 44;
         orange.specular.set(0x404040);
         static constexpr double exponents[] = {2, 1, 3, 2, 0.5, 0};
-        for (int i = 0; i < 40; ++i)
-            bulb({5 * std::cos(2.4 * i), 0.3 + 0.1 * i, 5 * std::sin(2.4 * i)}, 0.02 * (1 + i % 7),
+        for (int i = 0; i < 14; ++i)
+            bulb({5 * std::cos(2.4 * i), 0.3 + 0.3 * i, 5 * std::sin(2.4 * i)}, 0.02 * (1 + i % 7),
                  exponents[i % 6]);
     }
     Frames draw(double codes) {
@@ -97,7 +98,7 @@ TEST_F(LightCut, DropsLightsAndSaysSo) {
     int lights = 0;
     for (const lighting::Draw& draw : cut.plan.draws)
         lights += draw.variant.point() + draw.variant.directional;
-    EXPECT_LT(lights, 3 * 53);
+    EXPECT_LT(lights, 3 * 27);
     EXPECT_NE(support::difference(cut, whole), "") << "it is not exact";
     EXPECT_EQ(broken(cut, whole, 20, strongest(whole.plan, whole)), "");
 }
@@ -105,6 +106,8 @@ TEST_F(LightCut, DropsLightsAndSaysSo) {
 TEST_F(LightCut, KeepsItsPromiseWithEveryTermOff) {
     for (int i = -1; i < lighting::termCount; ++i)
         for (const auto model : {THREE::SpecularModel::phong, THREE::SpecularModel::blinn}) {
+            if (i >= 0 && i % 2 == static_cast<int>(model))
+                continue;  // each term with one of the two
             const auto term = static_cast<Term>(std::max(i, 0));
             SCOPED_TRACE(testing::Message() << (i < 0 ? "all" : lighting::info(term).name) << ", model "
                                             << static_cast<int>(model));

@@ -58,6 +58,7 @@ RC_GTEST_PROP(Storage, ChangesNoByte, ()) {
     support::makeReady(lab.scene, lab.camera, lab.options);
     RC_LOG() << lab.text();
     lighting::Settings& s = lab.options.settings;
+    s.constantLights = 64;
     const auto fresh = support::freshRenderer();
     const support::Frames constants =
         support::drawFrames(lighting::planFrame(lab.scene, lab.camera, s), lab.options, *fresh);

@@ -117,6 +117,7 @@ void RandomLab::placeCamera() {
 
 void RandomLab::chooseSettings() {
     lighting::Settings& s = options.settings;
+    s.constantLights = chance(20) ? 64 : 0;  // constants take longer to compile
     s.shading = *rc::gen::element(lighting::Shading::pixel, lighting::Shading::pixel,
                                   lighting::Shading::vertex, lighting::Shading::flat);
     s.space = chance(30) ? lighting::Space::view : lighting::Space::world;
