@@ -58,6 +58,31 @@ glm::dmat4 lightingSpace(Space space, const glm::dmat4& cameraPlace) {
     return glm::inverse(rigid);
 }
 
+// Whether the matrix turns right-handed triangles into left-handed ones. Columns at length 1, so that their product does not
+// leave the range of doubles.
+bool mirrors(const glm::dmat3& m) {
+    const auto unit = [](const glm::dvec3& v) {
+        const double length = std::hypot(v.x, v.y, v.z);
+        return length > 0 ? v / length : v;
+    };
+    return glm::dot(glm::cross(unit(m[0]), unit(m[1])), unit(m[2])) < 0;
+}
+
+// The least distance between opposite faces of the draw's box; 0 where it is squashed flat.
+double thickness(const Draw& draw) {
+    const glm::dmat3 linear(draw.model);
+    const double determinant = glm::determinant(linear);
+    if (determinant == 0 || !std::isfinite(1 / determinant))
+        return 0;
+    const THREE::Box3& box = draw.mesh->geometry->boundingBox();
+    const glm::dvec3 extent = glm::dvec3(box.max) - glm::dvec3(box.min);
+    const glm::dmat3 across = glm::transpose(glm::inverse(linear));
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        least = std::min(least, extent[axis] / glm::length(across[axis]));
+    return least;
+}
+
 // Normals by the model matrix alone, as slide 33 words it. Their length does not matter.
 glm::dmat3 withoutInverseTranspose(const glm::dmat3& model) {
     double largest = 0;
@@ -190,11 +215,12 @@ class Planner {
                                 ? THREE::normalMatrix(mesh.matrixWorld.elements)
                                 : withoutInverseTranspose(mesh.matrixWorld.elements);
         draw.clip = projection_ * view_ * draw.model;
-        draw.mirrored = glm::determinant(glm::dmat3(mesh.matrixWorld.elements)) < 0;
+        draw.mirrored = mirrors(glm::dmat3(mesh.matrixWorld.elements));
         if (isZero(glm::dvec3(draw.model[0])) && isZero(glm::dvec3(draw.model[1])) &&
             isZero(glm::dvec3(draw.model[2])))
             return skipMesh(mesh, {"la sua scala è 0", "its scale is 0"});
-        if (!place(draw, sphere) && settings_.skip)
+        draw.outside = !place(draw, sphere);
+        if (draw.outside && settings_.skip)
             return skipMesh(mesh, {"è fuori dalla vista della camera", "it is outside the camera's view"});
         if (settings_.space == Space::view) {
             draw.model = toLighting_ * draw.model;
@@ -245,6 +271,10 @@ class Planner {
         if (draw.side != THREE::DoubleSide || !settings_.skip || !(draw.nearestDepth > near_) ||
             !draw.mesh->geometry->hidesItsBacks())
             return;
+        // Where it is so thin that depths hardly tell front from back, either may be what is seen.
+        const double depthStep = 0x1p-24 * draw.farthestDepth * draw.farthestDepth / near_;
+        if (!(thickness(draw) > 16 * depthStep))
+            return;
         draw.side = THREE::FrontSide;
         draw.variant.doubleSided = false;
         ++plan_.sidesSkipped;
@@ -269,7 +299,11 @@ class Planner {
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {-1.0, 1.0}) {
                 const glm::dvec4 plane = rows[3] + sign * rows[axis];
-                if (glm::dot(plane, glm::dvec4(inView, 1)) < -radius * glm::length(glm::dvec3(plane)))
+                // Floats round both sides of the inequality that the driver clips by: at the far plane that is a long way.
+                const glm::dvec4 sizes = glm::abs(rows[3]) + glm::abs(rows[axis]);
+                const double rounding = 0x1p-20 * glm::dot(sizes, glm::dvec4(glm::abs(inView) + radius, 1));
+                if (glm::dot(plane, glm::dvec4(inView, 1)) <
+                    -radius * glm::length(glm::dvec3(plane)) - rounding)
                     return false;
             }
         return true;

@@ -119,6 +119,7 @@ struct Draw {
     std::size_t lights = 0;  ///< which of FramePlan::lightSets
     Variant variant;
     bool mirrored = false;  ///< the model matrix turns triangles round: front faces are clockwise
+    bool outside = false;  ///< of the camera's view: only --no-skip keeps it
     double reach = 0;  ///< from the eye to the farthest point of its bounding sphere, frame units
     double nearestDepth = 0;  ///< of its bounding sphere, view space in frame units; draws are sorted by it
     double farthestDepth = 0;  ///< the same

@@ -94,7 +94,8 @@ class Clusterer {
         farthest_ = std::min(farthestMesh, farthestLight);
         if (!(std::isfinite(nearest_) && nearest_ > 0))
             nearest_ = plan_.near;
-        farthest_ = std::max(farthest_, nearest_ * 1.001);
+        // Thinner slices than these, and a driver's log2, which may be 3 units in the last place off, would miss some.
+        farthest_ = std::max(farthest_, nearest_ * 1.25);
     }
 
     static int clampedFloor(double x, int count) {

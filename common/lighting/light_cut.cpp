@@ -47,7 +47,7 @@ class Cut {
             cut_ += faint ? 1 : 0;
             return faint;
         });
-        plan_.cutCodes = cut_ * share_ * 255;
+        plan_.cutCodes = std::min(cut_ * share_ * 255, settings_.lightCut);  // not a rounding more
     }
 
   private:

@@ -80,8 +80,8 @@ class Distribution {
         std::map<std::vector<const THREE::Light*>, int> different;
         for (std::size_t i = 0; i < plan_.draws.size(); ++i) {
             const Draw& draw = plan_.draws[i];
-            if (!draw.variant.lit)
-                continue;
+            if (!draw.variant.lit || draw.outside)
+                continue;  // with --no-skip too: how many sums there are decides the order of the lights
             const MeshBounds bounds(draw);
             for (const PointAddend* light : ending)
                 if (isBeyond(*light, bounds))

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <limits>
+#include <unordered_map>
 
 namespace render {
 
 namespace {
 
 constexpr std::size_t lightsPerRow = 512;  // shaders/lights.glsl counts on it
+constexpr std::size_t mostWatched = 4096;  // far more than constants and uniforms hold
 
 bool same(const LightNumbers& a, const LightNumbers& b) {
     return a.geometry == b.geometry && a.radiance == b.radiance && a.falloff == b.falloff;
@@ -39,27 +41,37 @@ void GpuLights::set(const lighting::FramePlan& plan) {
         sets_.push_back(pick(all_, plan, set));
 }
 
-// Which lights move. Another number of lights is another scene, in which nothing has moved yet.
+// Which lights move. One that was not there in the frame before has not been seen to move, and where none was, it is another
+// scene. (A lamp that flickers comes and goes while others move, so their number says nothing.)
 void GpuLights::watch() {
-    const std::vector<bool> movedBefore = before_.moves;
-    if (all_.count() != before_.count()) {
-        framesStill_.assign(all_.count(), framesToStandStill);
-        ambientStill_ = framesToStandStill;
-        framesSettled_ = framesToSettle;
-        return;
+    std::unordered_map<const THREE::Light*, std::size_t> before;
+    for (std::size_t i = 0; i < before_.count() && all_.count() <= mostWatched; ++i)
+        before.emplace(before_.lights[i], i);
+    std::vector<int> still(all_.count(), framesToStandStill);
+    std::vector<const THREE::Light*> moving;
+    bool known = false;
+    for (std::size_t i = 0; i < all_.count() && !before.empty(); ++i) {
+        const auto found = before.find(all_.lights[i]);
+        if (found == before.end())
+            continue;
+        known = true;
+        const std::size_t was = found->second;
+        const bool changed = all_.geometry[i] != before_.geometry[was] ||
+                             all_.radiance[i] != before_.radiance[was] ||
+                             all_.falloff[i] != before_.falloff[was];
+        still[i] = changed ? 0 : std::min(framesStill_[was] + 1, framesToStandStill);
+        all_.moves[i] = still[i] < framesToStandStill;
+        if (all_.moves[i])
+            moving.push_back(all_.lights[i]);
     }
-    const bool ambientMoved = before_.ambientMoves;
-    ambientStill_ = all_.ambient != before_.ambient ? 0 : std::min(ambientStill_ + 1, framesToStandStill);
-    all_.ambientMoves = ambientStill_ < framesToStandStill;
-    for (std::size_t i = 0; i < all_.count(); ++i) {
-        const bool changed = all_.geometry[i] != before_.geometry[i] ||
-                             all_.radiance[i] != before_.radiance[i] || all_.falloff[i] != before_.falloff[i];
-        framesStill_[i] = changed ? 0 : std::min(framesStill_[i] + 1, framesToStandStill);
-        all_.moves[i] = framesStill_[i] < framesToStandStill;
-    }
-    framesSettled_ = all_.moves == movedBefore && all_.ambientMoves == ambientMoved
-                         ? std::min(framesSettled_ + 1, 2 * framesToSettle)
-                         : 0;
+    std::sort(moving.begin(), moving.end());
+    ambientStill_ =
+        !known || before_.ambient == all_.ambient ? std::min(ambientStill_ + 1, framesToStandStill) : 0;
+    all_.ambientMoves = known && ambientStill_ < framesToStandStill;
+    const bool same = moving == moving_ && all_.ambientMoves == before_.ambientMoves;
+    framesSettled_ = !known ? framesToSettle : same ? std::min(framesSettled_ + 1, 2 * framesToSettle) : 0;
+    framesStill_ = std::move(still);
+    moving_ = std::move(moving);
 }
 
 void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
@@ -69,7 +81,7 @@ void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
         program.lights.ambient = all_.ambient;
     }
     if (program.lightData >= 0) {
-        uploadTexture(reuse);
+        uploadTexture(sets_[lightSet], reuse);
         return;
     }
     if (program.lightGeometry < 0 && program.lightRadiance < 0 && program.lightFalloff < 0)
@@ -79,7 +91,9 @@ void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
                            inUniforms(set.radiance, set.moves, program.constants),
                            inUniforms(set.falloff, set.moves, program.constants),
                            {},
-                           program.lights.ambient};
+                           {},
+                           program.lights.ambient,
+                           false};
     if (reuse && same(program.lights, now))
         return;
     const auto send = [this](GLint place, const std::vector<glm::vec4>& values) {
@@ -94,7 +108,9 @@ void GpuLights::use(Program& program, std::size_t lightSet, bool reuse) {
     program.lights = now;
 }
 
-void GpuLights::uploadTexture(bool reuse) {
+// The lights are those of a sum: all of them, unless this driver has so few uniforms that what the plan wants in uniforms is in
+// a texture.
+void GpuLights::uploadTexture(const LightNumbers& lights, bool reuse) {
     glActiveTexture(GL_TEXTURE0);
     if (texture_ == 0) {
         glGenTextures(1, &texture_);
@@ -103,18 +119,18 @@ void GpuLights::uploadTexture(bool reuse) {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
     glBindTexture(GL_TEXTURE_2D, texture_);
-    if (reuse && same(inTexture_, all_))
+    if (reuse && same(inTexture_, lights))
         return;
-    const std::size_t rows = (all_.count() + lightsPerRow - 1) / lightsPerRow;
+    const std::size_t rows = (lights.count() + lightsPerRow - 1) / lightsPerRow;
     std::vector<glm::vec4> texels(rows * lightsPerRow * 3, glm::vec4(0));
-    for (std::size_t light = 0; light < all_.count(); ++light) {
-        texels[light * 3] = all_.geometry[light];
-        texels[light * 3 + 1] = all_.radiance[light];
-        texels[light * 3 + 2] = all_.falloff[light];
+    for (std::size_t light = 0; light < lights.count(); ++light) {
+        texels[light * 3] = lights.geometry[light];
+        texels[light * 3 + 1] = lights.radiance[light];
+        texels[light * 3 + 2] = lights.falloff[light];
     }
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, lightsPerRow * 3, static_cast<GLsizei>(rows), 0, GL_RGBA,
                  GL_FLOAT, texels.data());
-    inTexture_ = all_;
+    inTexture_ = lights;
     uploaded_ += texels.size() * sizeof texels[0];
 }
 

@@ -37,13 +37,14 @@ class GpuLights {
     static constexpr int framesToStandStill = 30;
 
     void watch();
-    void uploadTexture(bool reuse);
+    void uploadTexture(const LightNumbers& lights, bool reuse);
 
     LightNumbers all_;  // in the plan's order
     std::vector<LightNumbers> sets_;
     LightNumbers before_;  // all_ of the frame before
     std::vector<int> framesStill_;  // of each light
     int ambientStill_ = framesToStandStill;
+    std::vector<const THREE::Light*> moving_;  // in order
     int framesSettled_ = framesToSettle;
     LightNumbers inTexture_;  // what the texture holds now
     unsigned texture_ = 0;

@@ -25,11 +25,13 @@ LightNumbers numbersOf(const lighting::FramePlan& plan) {
         all.geometry.push_back(toFloats(light.w, 0));
         all.radiance.push_back(toFloats(light.color, light.intensity));
         all.falloff.emplace_back(0);
+        all.lights.push_back(light.light);
     }
     for (const lighting::PointAddend& light : plan.point) {
         all.geometry.push_back(toFloats(light.position, light.distance > 0 ? 1 / light.distance : 0));
         all.radiance.push_back(toFloats(light.color, light.intensity));
         all.falloff.push_back(toFloats({light.decay, light.exponent, 0}, 0));
+        all.lights.push_back(light.light);
     }
     all.moves.assign(all.count(), false);
     all.ambient = glm::vec3(toFloats(plan.ambient, 0));
@@ -42,6 +44,7 @@ LightNumbers pick(const LightNumbers& all, const lighting::FramePlan& plan, cons
         out.geometry.push_back(all.geometry[i]);
         out.radiance.push_back(all.radiance[i]);
         out.falloff.push_back(all.falloff[i]);
+        out.lights.push_back(all.lights[i]);
         out.moves.push_back(all.moves[i]);
     };
     for (std::size_t i = 0; i < plan.directional.size() && !set.empty; ++i)

@@ -15,6 +15,7 @@ struct LightNumbers {
     std::vector<glm::vec4> geometry;  ///< (w, -) or (P_L, 1 / distance), lighting space
     std::vector<glm::vec4> radiance;  ///< (L, intensity alone)
     std::vector<glm::vec4> falloff;  ///< (k, exponent, -, -)
+    std::vector<const THREE::Light*> lights;  ///< whose numbers they are; to be compared, it may be gone
     std::vector<bool> moves;  ///< whether it changed lately, so that it is no constant
     glm::vec3 ambient{-1};  ///< L_A; negative: not known yet
     bool ambientMoves = false;  ///< as moves

@@ -45,6 +45,23 @@ void expectSameThroughJson(const THREE::Scene& scene, const THREE::PerspectiveCa
     EXPECT_TRUE(found.pixels == expected.pixels) << "drawn through a scene file, the frame differs";
 }
 
+// The same plan with its lights in uniforms, not in constants of the shader, must give the same bytes.
+void expectSameWithUniforms(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                            const DrawOptions& options, const Drawn& drawn) {
+    lighting::Settings settings = options.settings;
+    settings.constantLights = 0;
+    const lighting::FramePlan plan = lighting::planFrame(scene, camera, settings);
+    const auto differs = [&](const lighting::Draw& draw) {
+        return draw.variant.storage == lighting::LightStorage::uniforms &&
+               draw.variant.directional + draw.variant.point() > 0;
+    };
+    if (std::none_of(plan.draws.begin(), plan.draws.end(), differs))
+        return;
+    const image::Frame found =
+        renderer().render(plan, settings, {options.width, options.height, options.floats});
+    EXPECT_TRUE(found.pixels == drawn.frame.pixels) << "drawn with lights in uniforms, the frame differs";
+}
+
 }  // namespace
 
 Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options) {
@@ -62,6 +79,7 @@ Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOpti
     drawn.plan = lighting::planFrame(scene, camera, settings);
     drawn.frame = renderer().render(drawn.plan, settings, request);
     drawn.stats = renderer().stats();
+    expectSameWithUniforms(scene, camera, options, drawn);
     expectSameThroughJson(scene, camera, options, drawn.frame);
     return drawn;
 }

@@ -29,7 +29,8 @@ struct Drawn {
 };
 
 /// Updates matrices, validates, plans and draws with one context for the whole test program. Every frame is also
-/// counted for NaN and infinity, and drawn again from the scene's JSON: a test fails if there are any, or if it differs.
+/// counted for NaN and infinity, and drawn again with its lights in uniforms and from the scene's JSON: a test fails if there
+/// are any, or if one differs.
 Drawn draw(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const DrawOptions& options = {});
 
 /// The largest difference of any value of two float frames of one size.

@@ -4,8 +4,10 @@
 #include "three/three.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <memory>
+#include <random>
 
 namespace {
 
@@ -108,6 +110,72 @@ TEST_F(Range, TheUnitFollowsTheView) {
     far.position.z = -1e30;
     scene.add(far);
     EXPECT_GT(plan().unit, 1e30 * 0x1p-101);
+}
+
+// A light's share of the sum by the plain formula of shaders/terms/point.glsl, in T; both points are floats already.
+template <class T>
+T plainShare(const glm::vec3& light, const glm::vec3& Q, const glm::vec3& n, double k) {
+    const T x = T(light.x) - T(Q.x), y = T(light.y) - T(Q.y), z = T(light.z) - T(Q.z);
+    const T d2 = x * x + y * y + z * z;
+    const T power = k == 0 ? T(1) : k == 1 ? std::sqrt(d2) : k == 2 ? d2 : std::pow(d2, T(0.5 * k));
+    const T cosine = x * T(n.x) + y * T(n.y) + z * T(n.z);
+    return d2 > 0 ? cosine / std::max(std::sqrt(d2) * power, T(1e-30)) : T(0);
+}
+
+// Where the plain formula is said to do, floats are as good as the lab promises, at the points nearest to the light above all.
+TEST_F(Range, WhereNothingIsScaledFloatsAreAccurate) {
+    std::mt19937 random{11};
+    const auto any = [&random](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int plain = 0, scaledOnes = 0;
+    for (int round = 0; round < 4000; ++round) {
+        constexpr double exponents[] = {0, 1, 2, 0.5, 3, 6};
+        bulb.decay = exponents[round % 6];
+        const double gap = std::exp2(any(-50, 60)), a = any(-0.6, 0.6), b = any(-0.6, 0.6);
+        bulb.position.set(a, b, 0.5 + gap);
+        if (scaled()) {
+            ++scaledOnes;
+            continue;
+        }
+        ++plain;
+        const glm::vec3 light(glm::dvec3(bulb.position));
+        for (const double beside : {0.0, 1e-6, 0.1}) {
+            const glm::vec3 Q(glm::dvec3(a + beside, b, 0.5)), n(0, 0, 1);
+            const double d = glm::length(glm::dvec3(light) - glm::dvec3(Q));
+            if (d == 0 || std::abs(Q.x) > 0.5 || std::abs(Q.y) > 0.5)
+                continue;  // in floats the light is in the very point; or beside the box
+            const double expected = plainShare<double>(light, Q, n, bulb.decay);
+            const double found = static_cast<double>(plainShare<float>(light, Q, n, bulb.decay));
+            ASSERT_NEAR(found, expected, 63 * 0x1p-24 * std::pow(d, -bulb.decay))
+                << "k " << bulb.decay << ", " << d << " away";
+        }
+    }
+    EXPECT_GT(plain, 1000);
+    EXPECT_GT(scaledOnes, 200);
+}
+
+// Among thousands of lights each mesh looks at those near it only: 50 million pairs would take half a minute.
+TEST_F(Range, ThousandsOfMeshesUnderThousandsOfLights) {
+    std::vector<std::unique_ptr<THREE::PointLight>> lights;
+    std::vector<std::unique_ptr<THREE::Mesh>> meshes;
+    for (int i = 0; i < 5000; ++i) {
+        lights.push_back(std::make_unique<THREE::PointLight>(THREE::Color(1, 1, 1), 1, 0, i % 3));
+        lights.back()->position.set(i % 71, i / 71 % 71, -i % 13);
+        scene.add(*lights.back());
+    }
+    for (int i = 0; i < 10'000; ++i) {
+        meshes.push_back(std::make_unique<THREE::Mesh>(geometry, material));
+        meshes.back()->position.set(i % 100 * 0.7 + 0.05, i / 100 * 0.7 + 0.05, -5);
+        scene.add(*meshes.back());
+    }
+    camera.position.set(35, 35, 100);
+    int scaledOnes = 0;
+    const lighting::FramePlan p = plan();
+    for (const lighting::Draw& draw : p.draws)
+        scaledOnes += draw.variant.scaled ? 1 : 0;
+    EXPECT_EQ(p.draws.size(), 10'001U);
+    EXPECT_EQ(scaledOnes, 0);
 }
 
 TEST(FitToFloats, KeepsTheLightWhatItIs) {
