@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/compile_aside.hpp"
 
-#include <stdexcept>
+#include <exception>
 #include <utility>
 
 namespace render {
@@ -114,14 +114,14 @@ void CompileAside::run() {
             tasks_.pop_front();
             busy_ = true;
             lock.unlock();
-            Done done{std::move(task.key), {}, nullptr};
+            Done done{std::move(task.key), {}, !current};
             try {
-                if (!current)
-                    throw std::runtime_error("the driver has no second context");
-                done.program = task.build();
-                canvas->draw(done.program);
-            } catch (...) {
-                done.error = std::current_exception();
+                if (current) {
+                    done.program = task.build();
+                    canvas->draw(done.program);
+                }
+            } catch (const std::exception&) {
+                done.failed = true;  // compiled where it is needed, it will say why
             }
             lock.lock();
             done_.push_back(std::move(done));

@@ -7,7 +7,6 @@
 
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -28,11 +27,11 @@ class CompileAside {
     /// False where the driver has no second context: then nothing can be asked.
     bool usable() const { return context_.usable(); }
 
-    /// A program that is ready to use, or what its compilation threw.
+    /// A program that is ready to use, or could not be compiled.
     struct Done {
         ProgramKey key;
         Program program;
-        std::exception_ptr error;
+        bool failed = false;
     };
     /// Calls `build` on the thread, and draws with what it returns, because drivers finish compiling when they first draw.
     void ask(ProgramKey key, std::function<Program()> build);

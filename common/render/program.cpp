@@ -52,25 +52,23 @@ Programs::~Programs() {
 }
 
 Program& Programs::get(const lighting::Variant& variant, const LightNumbers& lights) {
-    if (aside_)
-        collect(false);
     const ProgramKey key{variant, constantsOf(variant, lights)};
-    const auto known = programs_.find(key);
-    Program* program = known == programs_.end() ? nullptr : &known->second;
+    collect(false);
+    Program* program = find(key);
     if (aside_ && variant.storage == lighting::LightStorage::constants) {
         ProgramKey general{variant, {}};
         general.first.storage = lighting::LightStorage::uniforms;
-        const auto stand = programs_.find(general);
-        if (program == nullptr && stand != programs_.end()) {
-            buildAside(key, lights);
-            program = &stand->second;
-        } else if (stand == programs_.end()) {
+        Program* const stand = find(general);
+        if (stand == nullptr) {
             buildAside(general, {});  // for when a light begins to move
+        } else if (program == nullptr) {
+            buildAside(key, lights);
+            program = stand;
         }
     }
     if (program == nullptr && underWay_.contains(key)) {
         collect(true);
-        program = &programs_.at(key);
+        program = find(key);
     }
     if (program == nullptr)
         program = &buildNow(key, lights);
@@ -78,6 +76,11 @@ Program& Programs::get(const lighting::Variant& variant, const LightNumbers& lig
     if (programs_.size() > mostPrograms)
         forgetOldest();
     return *program;
+}
+
+Program* Programs::find(const ProgramKey& key) {
+    const auto known = programs_.find(key);
+    return known == programs_.end() ? nullptr : &known->second;
 }
 
 Program& Programs::buildNow(const ProgramKey& key, const LightNumbers& lights) {
@@ -89,24 +92,24 @@ Program& Programs::buildNow(const ProgramKey& key, const LightNumbers& lights) {
 }
 
 void Programs::buildAside(const ProgramKey& key, const LightNumbers& lights) {
-    if (underWay_.insert(key).second)
+    if (!failed_.contains(key) && underWay_.insert(key).second)
         aside_->ask(key, [this, variant = key.first, lights] { return build(variant, lights); });
 }
 
 void Programs::collect(bool wait) {
+    if (!aside_)
+        return;
     for (CompileAside::Done& done : aside_->take(wait)) {
         underWay_.erase(done.key);
-        if (done.error)
-            std::rethrow_exception(done.error);
-        if (!programs_.emplace(std::move(done.key), done.program).second)
+        if (done.failed)
+            failed_.insert(
+                done.key);  // its stand-in stays; who has none compiles at once, and says what is wrong
+        else if (!programs_.emplace(std::move(done.key), done.program).second)
             glDeleteProgram(done.program.id);  // there is one by now
     }
 }
 
-void Programs::finish() {
-    if (aside_)
-        collect(true);
-}
+void Programs::finish() { collect(true); }
 
 // Lights that were moved by hand leave a program behind wherever they stood.
 void Programs::forgetOldest() {

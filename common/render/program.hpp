@@ -73,6 +73,7 @@ class Programs {
     double compileMilliseconds() const { return milliseconds_; }
 
   private:
+    Program* find(const ProgramKey& key);
     Program build(const lighting::Variant& variant, const LightNumbers& lights) const;
     Program& buildNow(const ProgramKey& key, const LightNumbers& lights);
     void buildAside(const ProgramKey& key, const LightNumbers& lights);
@@ -83,6 +84,7 @@ class Programs {
     std::string directory_;
     std::map<ProgramKey, Program> programs_;
     std::set<ProgramKey> underWay_;  // asked for aside
+    std::set<ProgramKey> failed_;  // could not be compiled aside
     std::uint64_t calls_ = 0;
     int uniformLights_ = 0;
     double milliseconds_ = 0;
