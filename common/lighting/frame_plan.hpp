@@ -52,6 +52,7 @@ struct PointAddend {
     const THREE::Light* light = nullptr;  ///< whose addend it is
     /// Frame units: beyond it nothing arrives (`distance`), or less than --light-cut lets go of. Infinite: shines everywhere.
     double reach = std::numeric_limits<double>::infinity();
+    double cut = 0;  ///< 8-bit codes that a pixel beyond `reach` may lack of it; 0: nothing arrives there
 };
 
 /// Which loop of the shader a light is in: 0, 1, 2 for these exponents, 3 for any other.

@@ -43,11 +43,8 @@ class Cut {
             shorten(light);
         drop(plan_.point, [](const PointAddend& light) { return light.reach == 0; });
         drop(plan_.directional, [this](const DirectionalAddend& light) {
-            const bool faint = strength(light.color, light.intensity) <= share_;
-            cut_ += faint ? 1 : 0;
-            return faint;
+            return strength(light.color, light.intensity) <= share_;
         });
-        plan_.cutCodes = std::min(cut_ * share_ * 255, settings_.lightCut);  // not a rounding more
     }
 
   private:
@@ -79,7 +76,7 @@ class Cut {
         if (!(reach < light.reach))
             return;
         light.reach = reach;
-        ++cut_;
+        light.cut = share_ * 255;
     }
 
     template <class Lights, class Test>
@@ -92,6 +89,7 @@ class Cut {
                                       "--light-cut: it adds less than its share everywhere"}});
             ++plan_.lightsSkipped;
             --plan_.lightsUsed;
+            plan_.cutCodes += share_ * 255;
             return true;
         });
     }
@@ -100,7 +98,6 @@ class Cut {
     const Settings& settings_;
     const double allowed_;  // light of a pixel
     double share_ = 0;
-    int cut_ = 0;
     glm::dvec3 largestAlbedo_{0};
     double strongestHighlight_ = 0;
 };

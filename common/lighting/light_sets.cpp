@@ -50,6 +50,8 @@ class Distribution {
                                                              : LightStorage::constants;
         sortLights();
         formSets();
+        if (settings_.lightCut > 0)
+            countCut();
         for (Draw& draw : plan_.draws)
             if (draw.variant.lit) {
                 finish(draw);
@@ -171,6 +173,20 @@ class Distribution {
                 ++plan_.lightsSkipped;
                 --plan_.lightsUsed;
             }
+    }
+
+    // The codes of lights that --light-cut left out of some mesh, or of some cluster.
+    void countCut() {
+        const auto leftOut = [this](const PointAddend& light) {
+            if (storage_ == LightStorage::texture)
+                return clustered_;
+            return std::any_of(missing_.begin(), missing_.end(), [&light](const auto& lights) {
+                return std::find(lights.begin(), lights.end(), light.light) != lights.end();
+            });
+        };
+        for (const PointAddend& light : plan_.point)
+            plan_.cutCodes += light.cut > 0 && leftOut(light) ? light.cut : 0;
+        plan_.cutCodes = std::min(plan_.cutCodes, settings_.lightCut);  // not a rounding more
     }
 
     void finish(Draw& draw) const {

@@ -41,6 +41,15 @@ TEST(ParseOptions, GivesWhatWasSaid) {
     EXPECT_EQ(options({"--renderer=gl"}).renderer, lab::RendererKind::gl);
 }
 
+TEST(ParseOptions, ReadsTheCut) {
+    EXPECT_EQ(options({}).lightCut, 0);
+    EXPECT_EQ(options({"--light-cut", "0.5"}).lightCut, 0.5);
+    for (const char* wrong : {"-1", "256", "nan", "1e400", "half"})
+        EXPECT_NE(ending({"--light-cut", wrong}).err.find(std::string("--light-cut: expected ")),
+                  std::string::npos)
+            << wrong;
+}
+
 TEST(ParseOptions, ReadsTheSwitches) {
     const lighting::Switches usual = options({}).switches;
     EXPECT_EQ(usual, lighting::Switches());

@@ -3,6 +3,8 @@
 #include "image/compare.hpp"
 #include "image/oiio.hpp"
 #include "support/program.hpp"
+#include "three/object_loader.hpp"
+#include "three/three.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -66,6 +68,57 @@ TEST_P(EachLesson, TheSameFrameThroughASceneFile) {
 
 TEST_P(EachLesson, NothingSkippedTheSameBytes) {
     EXPECT_EQ(worst(frameOf(GetParam()), frameOf(GetParam(), {"--no-skip"})), 0);
+}
+
+// A ball under lamps from near to far, as a scene file.
+std::string lampsNearAndFar() {
+    THREE::Scene scene;
+    THREE::SphereGeometry geometry(1, 32, 16);
+    THREE::MeshLambertMaterial material(THREE::Color(0xFF8855));
+    THREE::Mesh ball(geometry, material);
+    scene.add(ball);
+    THREE::PointLight lamps[8];
+    for (int i = 0; i < 8; ++i) {
+        lamps[i].position.set(2 * std::pow(2.0, i), 1, 3);
+        lamps[i].decay = 2;
+        lamps[i].intensity = 2;
+        scene.add(lamps[i]);
+    }
+    THREE::PerspectiveCamera camera(40, 1, 0.1, 100);
+    camera.position.set(0, 0, 5);
+    scene.updateMatrixWorld();
+    return THREE::toJSON(scene, &camera);
+}
+
+// What --light-cut promises on stdout and in --stats, the frame keeps.
+TEST(LightCut, KeepsWhatItPrints) {
+    const TemporaryDirectory directory;
+    support::writeFile(directory.path() / "lamps.json", lampsNearAndFar());
+    const auto drawn = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> command{"scene_viewer",          "lamps.json", "--frame",
+                                         directory.file("x.exr"), "--lang",     "en"};
+        command.insert(command.end(), options.begin(), options.end());
+        return support::run(command, directory.path());
+    };
+    ASSERT_EQ(drawn({}).status, 0);
+    const image::Frame whole = image::readFrame(directory.file("x.exr"));
+    const std::string begin = "--light-cut: no pixel lacks more than ";
+    double before = 0;
+    for (const char* codes : {"0.5", "3", "20"}) {
+        const Outcome cut = drawn({"--light-cut", codes});
+        ASSERT_EQ(cut.out.substr(0, begin.size()), begin) << cut.out << cut.err;
+        const double promised = std::stod(cut.out.substr(begin.size()));
+        EXPECT_LE(promised, std::stod(codes));
+        const double lacks = worst(whole, image::readFrame(directory.file("x.exr"))) * 255;
+        EXPECT_LE(lacks, promised + 1e-3) << codes;
+        EXPECT_GT(lacks, before) << codes;
+        before = lacks;
+        const auto stats = nlohmann::json::parse(drawn({"--light-cut", codes, "--stats"}).out);
+        EXPECT_NEAR(stats.at("light_cut_codes").get<double>(), promised, 0.01);
+    }
+    EXPECT_EQ(nlohmann::json::parse(drawn({"--stats"}).out).at("light_cut_codes"), 0);
+    EXPECT_EQ(drawn({"--light-cut", "1e-6"}).out, begin + "0 8-bit codes, before rounding\n")
+        << "where nothing could be left out, nothing is missing";
 }
 
 TEST_P(EachLesson, TimeCameraAndJitterChangeThePicture) {
