@@ -15,6 +15,7 @@ using lighting::LightStorage;
 struct CompileAside : testing::Test, support::Stage {
     THREE::PointLight lamp{THREE::Color(0xDD6666), 2, 0, 2}, other{THREE::Color(0x66AADD), 2, 0, 1};
     CompileAside() {
+        support::renderer();  // its context is the one that all here share
         lamp.position.set(2, 3, 2);
         other.position.set(-2, 2, 1);
         scene.add(lamp);
