@@ -142,6 +142,30 @@ Json toJson(const SceneRow& row) {
             {"on_front_codes", row.onFrontCodes}};
 }
 
+// What tests/bench/run shows, in the form that all parts share: of each scene the default's cost and whether it is on the front.
+Json results(const std::vector<Row>& rows, const std::vector<SceneRow>& scenes) {
+    Json all = Json::array();
+    const auto add = [&all](const std::string& name, double value, const char* unit, const Json& target,
+                            const Json& ok) {
+        all.push_back({{"name", name}, {"value", value}, {"unit", unit}, {"target", target}, {"ok", ok}});
+    };
+    for (const SceneRow& row : scenes) {
+        if (row.method != defaultMethod)
+            continue;
+        const bool front = row.onFront && row.onFrontCodes;
+        add(row.scene + (countsFromFloor(row.scene) ? ": frame to the flat-colour frame"
+                                                    : ": lighting cost to three.js's order"),
+            row.ratio, "ratio", nullptr, nullptr);
+        add(row.scene + ": default on the front", front ? 1 : 0, "yes=1", 1, front);
+    }
+    double worst = 0;
+    for (const Row& row : rows)
+        if (row.method == defaultMethod)
+            worst = std::max(worst, row.shadingError / row.bound);
+    add("largest error to the promised bound", worst, "ratio", 1, worst <= 1);
+    return all;
+}
+
 }  // namespace
 
 const char* shortName(Reference reference) {
@@ -150,9 +174,14 @@ const char* shortName(Reference reference) {
 
 void write(const std::filesystem::path& directory, const Run& run, const std::vector<Row>& rows,
            const std::vector<SceneRow>& scenes) {
-    Json json = {{"part", "error"},      {"machine", processor()},
-                 {"driver", run.driver}, {"version", LAMBERT_VERSION},
-                 {"date", today()},      {"quick", run.quick}};
+    Json json = {{"part", "error"},
+                 {"machine", processor()},
+                 {"driver", run.driver},
+                 {"version", LAMBERT_VERSION},
+                 {"date", today()},
+                 {"quick", run.quick},
+                 {"cores", std::thread::hardware_concurrency()},
+                 {"results", results(rows, scenes)}};
     for (const Method& method : methods())
         json["methods"].push_back({{"method", method.id},
                                    {"title", method.title},
