@@ -39,9 +39,8 @@ struct SceneRow {
     double lighting = 0;  ///< summed lighting cost, milliseconds
     double frame = 0;  ///< summed cost of whole frames, milliseconds
     int cases = 0;
-    double ratio =
-        1;  ///< lighting cost over that of three.js's order, or in S9, where nothing is lit, frame over floor: the
-        ///< geometric mean of the cases
+    /// Lighting cost over that of three.js's order, or in S9, where nothing is lit, frame over floor: the geometric mean of the cases.
+    double ratio = 1;
     bool onFront = false;  ///< no method that is more than 3 % cheaper has so small an error in floats
     bool onFrontCodes = false;  ///< the same in 8 bits: largest and mean error
 };
