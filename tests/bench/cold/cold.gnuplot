@@ -10,6 +10,7 @@ set grid ytics lc rgb "#d8d8d8"
 set border 3
 set tics nomirror
 set xtics rotate by -18 left
+set bmargin 7
 set key outside right reverse Left invert
 set linetype 1 lc rgb "#4c566a"
 set linetype 2 lc rgb "#b0b7c3"

@@ -8,6 +8,8 @@ set logscale x
 set format x '%g'
 rows = system("grep -c ',ms,' '".csv."'") + 0
 set yrange [rows - 0.5:-0.5]
+longest = system("awk -F'\",' '$2 ~ /,ms,/ && $2 + 0 > m { m = $2 + 0 } END { print m }' '".csv."'") + 0
+set xrange [*:2.5 * longest] # room for the last label
 list(who) = "< awk -F'\",' -v OFS=, '$2 ~ /,ms,/ { n++; if ($1 ~ /".who."$/) print n - 1, $0 }' '".csv."'"
 set key at screen 0.02, screen 0.04 left bottom horizontal
 plot list('the lab') using 3:1:ytic(strcol(2)) with points ls 1 ps 1.6 title 'the lab', \
