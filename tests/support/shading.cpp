@@ -98,8 +98,15 @@ Vec highlightStrength(const lighting::reference::Lit<Real>& at, const Vec& w) {
 
 ShadingPoints shadingPoints(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
                             int height) {
+    lighting::FramePlan surfaces = plan;  // of lit materials, also where the plan needs one colour only
+    for (lighting::Draw& draw : surfaces.draws)
+        if (!draw.variant.lit && draw.mesh->material->isLit()) {
+            const THREE::Color& D = draw.mesh->material->color;
+            draw.variant.lit = true;
+            draw.albedo = {D.r, D.g, D.b};
+        }
     const auto values = [&](const std::string& expression) {
-        const image::Frame frame = instead(expression).render(plan, settings, {width, height, true});
+        const image::Frame frame = instead(expression).render(surfaces, settings, {width, height, true});
         return std::get<image::Floats>(frame.pixels);
     };
     const image::Floats positions = values("worldPosition"), normals = values("worldNormal"),
