@@ -24,7 +24,7 @@ std::string processor() {
     for (std::string line; name == "unknown" && std::getline(in, line);)
         if (line.starts_with("model name"))
             name = line.substr(line.find(':') + 2);
-    return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores";
+    return name;
 }
 
 std::string today() {
