@@ -22,13 +22,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[16];
-    std::strftime(text, sizeof text, "%F", std::localtime(&now));
-    return text;
-}
-
 template <class T>
 Json orNull(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
@@ -103,6 +96,13 @@ void Report::write(const std::filesystem::path& directory, const std::string& cs
     std::filesystem::create_directories(directory);
     image::writeText((directory / (part_ + ".json")).string(), json());
     image::writeText((directory / (part_ + ".csv")).string(), csv);
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[16];
+    std::strftime(text, sizeof text, "%F", std::localtime(&now));
+    return text;
 }
 
 std::string processorName() {

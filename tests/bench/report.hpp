@@ -57,6 +57,9 @@ class Report {
 /// The processor, as the machine calls it.
 std::string processorName();
 
+/// YYYY-MM-DD.
+std::string today();
+
 /// The middle of the values, between the two middle ones of an even number; 0 of none.
 double median(std::vector<double> values);
 

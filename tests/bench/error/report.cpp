@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "bench/error/report.hpp"
 
+#include "bench/report.hpp"
 #include "image/write.hpp"
 
 #include <algorithm>
-#include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -16,23 +15,6 @@ namespace bench::error {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The processor, as the machine calls it.
-std::string processor() {
-    std::ifstream in("/proc/cpuinfo");
-    std::string name = "unknown";
-    for (std::string line; name == "unknown" && std::getline(in, line);)
-        if (line.starts_with("model name"))
-            name = line.substr(line.find(':') + 2);
-    return name;
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    char text[32];
-    std::strftime(text, sizeof text, "%F", std::gmtime(&now));
-    return text;
-}
 
 // In quotes, because some names have commas.
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
@@ -175,7 +157,7 @@ const char* shortName(Reference reference) {
 void write(const std::filesystem::path& directory, const Run& run, const std::vector<Row>& rows,
            const std::vector<SceneRow>& scenes) {
     Json json = {{"part", "error"},
-                 {"machine", processor()},
+                 {"machine", processorName()},
                  {"driver", run.driver},
                  {"version", LAMBERT_VERSION},
                  {"date", today()},
