@@ -84,11 +84,8 @@ Phases sinceProcessStart() {
 }
 
 int tell(const Failure& failure, const Options& options) {
-    // What is wrong with a scene file is said with its name.
-    const bool file = failure.status == unusableScene && !options.sceneFile.empty();
     std::cout.flush();
-    std::cerr << options.lesson << ": " << (file ? options.sceneFile + ": " : "") << failure.message
-              << std::endl;
+    std::cerr << options.lesson << ": " << messageOf(failure, options.sceneFile) << std::endl;
     return failure.status;
 }
 

@@ -24,6 +24,12 @@ struct Failure {
     std::string message;  ///< what, where, expected and found, what to do next
 };
 
+/// The message, with the scene file's name before it where the file is what is wrong.
+inline std::string messageOf(const Failure& failure, const std::string& sceneFile) {
+    const bool file = failure.status == unusableScene && !sceneFile.empty();
+    return (file ? sceneFile + ": " : "") + failure.message;
+}
+
 /// Does `work`; what it throws becomes a Failure.
 std::optional<Failure> attempt(const std::function<void()>& work);
 

@@ -34,9 +34,7 @@ void drawOne(const Options& options, Controls& controls, const WithView& withVie
 }
 
 void tellFailure(const Failure& failure, const LineReader& lines, const Options& options) {
-    const bool file = failure.status == unusableScene && !options.sceneFile.empty();
-    std::cerr << lines.place() << ": " << (file ? options.sceneFile + ": " : "") << failure.message
-              << std::endl;
+    std::cerr << lines.place() << ": " << messageOf(failure, options.sceneFile) << std::endl;
     if (options.stats)
         std::cout << failureJson(options.frame, lines.number(), failure) << '\n';
 }

@@ -47,7 +47,7 @@ std::string variantText(const lighting::Variant& v) {
     if (v.lit) {
         std::string names;
         for (const lighting::TermInfo& row : lighting::terms())
-            if ((v.terms >> static_cast<unsigned>(row.term) & 1U) != 0)
+            if (v.has(row.term))
                 names += (names.empty() ? "" : ",") + std::string(row.name);
         out << " terms=" << (names.empty() ? "none" : names);
     }

@@ -255,7 +255,7 @@ class Planner {
         // Blinn's Fresnel factor lets even a black K_S shine at grazing angles.
         const bool shiny = draw.variant.blinn || !isZero(draw.specular);
         if (settings_.skip && !shiny)
-            draw.variant.terms &= ~TermSet::none().with(Term::specular).bits();
+            draw.variant.drop(Term::specular);
         // Beyond 2^40 near positions interpolate badly; the direction to the eye needs squares that fit as well.
         const bool extremeView = shiny && (near_ < 0x1p-50 || draw.reach > 0x1p60);
         draw.variant.scaled = draw.reach > 0x1p40 * near_ || extremeView || range.leftBy(draw);

@@ -100,6 +100,8 @@ struct Variant {
     bool longLoops = false;  ///< so many lights that a driver might end a loop over them early
 
     int point() const { return decay0 + decay1 + decay2 + decayOther; }
+    bool has(Term term) const { return (terms >> static_cast<unsigned>(term) & 1U) != 0; }
+    void drop(Term term) { terms &= ~(1U << static_cast<unsigned>(term)); }
     auto operator<=>(const Variant&) const = default;
 };
 

@@ -21,7 +21,7 @@ class Cut {
                 continue;
             const bool albedo = settings.terms.has(Term::albedo);
             largestAlbedo_ = glm::max(largestAlbedo_, albedo ? draw.albedo : glm::dvec3(1));
-            if ((draw.variant.terms & TermSet::none().with(Term::specular).bits()) != 0)
+            if (draw.variant.has(Term::specular))
                 strongestHighlight_ = std::max(strongestHighlight_, highlight(draw));
         }
     }

@@ -24,10 +24,8 @@ constexpr std::size_t mostTurns =
 
 // Whether every pixel of the draw is 0 whatever light there is.
 bool isBlack(const Draw& draw) {
-    const auto on = [&draw](Term term) {
-        return (draw.variant.terms >> static_cast<unsigned>(term) & 1U) != 0;
-    };
-    return on(Term::albedo) && draw.albedo == glm::dvec3(0) && !on(Term::specular);
+    return draw.variant.has(Term::albedo) && draw.albedo == glm::dvec3(0) &&
+           !draw.variant.has(Term::specular);
 }
 
 class Distribution {
@@ -208,7 +206,7 @@ class Distribution {
         v.storage = v.directional + v.point() == 0 && v.clustered == 0 ? LightStorage::uniforms : storage_;
         v.longLoops = plan_.directional.size() + plan_.point.size() > mostTurns;
         if (settings_.skip)
-            v.terms = withoutIdle(v);
+            dropIdle(v);
     }
 
     // A mesh without a light that has a direction is one colour, and needs no equation at its pixels: what it gives off, or
@@ -217,9 +215,8 @@ class Distribution {
         const Variant v = draw.variant;
         if (!settings_.skip || v.scaled || v.directional + v.point() > 0 || v.clustered != 0)
             return;
-        const auto on = [&v](Term term) { return (v.terms >> static_cast<unsigned>(term) & 1U) != 0; };
-        const glm::vec3 D = on(Term::albedo) ? glm::vec3(draw.albedo) : glm::vec3(1);
-        const glm::vec3 reflected = on(Term::ambient) ? D * glm::vec3(plan_.ambient) : glm::vec3(0);
+        const glm::vec3 D = v.has(Term::albedo) ? glm::vec3(draw.albedo) : glm::vec3(1);
+        const glm::vec3 reflected = v.has(Term::ambient) ? D * glm::vec3(plan_.ambient) : glm::vec3(0);
         const glm::vec3 color = v.emissive ? glm::vec3(draw.emitted) : reflected;
         if ((v.emissive && reflected != glm::vec3(0)) || !(largest(glm::dvec3(color)) <= 1e30))
             return;
@@ -228,11 +225,11 @@ class Distribution {
         draw.variant.countNonfinite = v.countNonfinite;
     }
 
-    static unsigned withoutIdle(const Variant& v) {
-        unsigned terms = v.terms;
-        const auto drop = [&terms](bool idle, std::initializer_list<Term> list) {
+    static void dropIdle(Variant& v) {
+        const auto drop = [&v](bool idle, std::initializer_list<Term> list) {
             for (const Term term : list)
-                terms &= idle ? ~TermSet::none().with(term).bits() : ~0U;
+                if (idle)
+                    v.drop(term);
         };
         const bool point = v.point() > 0 || v.clustered != 0;
         drop(v.directional == 0, {Term::directional});
@@ -240,7 +237,6 @@ class Distribution {
         drop(v.point() == v.decay0 && (v.clustered & ~1U) == 0 && !v.window, {Term::attenuation});
         drop(v.directional == 0 && !point, {Term::cosine, Term::clamp, Term::lightColor, Term::specular});
         drop(!v.ambient, {Term::ambient});
-        return terms;
     }
 
     FramePlan& plan_;

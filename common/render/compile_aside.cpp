@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/compile_aside.hpp"
 
+#include "render/gpu_geometry.hpp"
+#include "render/render_target.hpp"
+
 #include <exception>
 #include <utility>
 
@@ -19,21 +22,16 @@ class Canvas {
         glBindBuffer(GL_ARRAY_BUFFER, vertices_);
         const float nothing[18] = {};
         glBufferData(GL_ARRAY_BUFFER, sizeof nothing, nothing, GL_STATIC_DRAW);
-        for (GLuint i = 0; i < 2; ++i) {  // as gpu_geometry.cpp lays vertices out
-            glEnableVertexAttribArray(i);
-            glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 24,
-                                  reinterpret_cast<const void*>(std::size_t{12} * i));
-        }
+        describeVertices();
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            makeTarget();
+            target_.emplace(16, 16, PixelFormat::codes,
+                            false);  // as frames without a window have it, and bound
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         glEnable(GL_CULL_FACE);
         glDisable(GL_DITHER);
     }
     ~Canvas() {
-        glDeleteFramebuffers(1, &framebuffer_);
-        glDeleteRenderbuffers(2, buffers_);
         glDeleteBuffers(1, &vertices_);
         glDeleteVertexArrays(1, &vertexArray_);
     }
@@ -48,21 +46,8 @@ class Canvas {
     }
 
   private:
-    void makeTarget() {
-        glGenFramebuffers(1, &framebuffer_);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-        glGenRenderbuffers(2, buffers_);
-        const GLenum formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
-        const GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-        for (int i = 0; i < 2; ++i) {
-            glBindRenderbuffer(GL_RENDERBUFFER, buffers_[i]);
-            glRenderbufferStorage(GL_RENDERBUFFER, formats[i], 16, 16);
-            glFramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers_[i]);
-        }
-    }
-
-    GLuint vertexArray_ = 0, vertices_ = 0, framebuffer_ = 0;
-    GLuint buffers_[2] = {0, 0};
+    GLuint vertexArray_ = 0, vertices_ = 0;
+    std::optional<RenderTarget> target_;
 };
 
 }  // namespace
@@ -103,8 +88,11 @@ void CompileAside::run() {
     const bool current = context_.makeCurrent();
     {
         std::optional<Canvas> canvas;
-        if (current)
-            canvas.emplace();
+        try {
+            if (current)
+                canvas.emplace();
+        } catch (const std::exception&) {  // no memory for a few pixels: everything that is asked for fails
+        }
         std::unique_lock lock(mutex_);
         for (;;) {
             changed_.wait(lock, [this] { return leave_ || !tasks_.empty(); });
@@ -114,9 +102,9 @@ void CompileAside::run() {
             tasks_.pop_front();
             busy_ = true;
             lock.unlock();
-            Done done{std::move(task.key), {}, !current};
+            Done done{std::move(task.key), {}, !canvas};
             try {
-                if (current) {
+                if (canvas) {
                     done.program = task.build();
                     canvas->draw(done.program);
                 }

@@ -14,6 +14,8 @@ namespace render {
 
 namespace {
 
+constexpr EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+
 std::string eglError() {
     char text[16];
     std::snprintf(text, sizeof text, "0x%04X", static_cast<unsigned>(eglGetError()));
@@ -38,7 +40,6 @@ std::string makeCurrent(EGLDisplay display, EGLContext& context) {
     EGLint count = 0;
     if (eglChooseConfig(display, wanted, &config, 1, &count) == EGL_FALSE || count == 0)
         return "no configuration for OpenGL ES 3";
-    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
     context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
     if (context == EGL_NO_CONTEXT)
         return "no OpenGL ES 3.0 context: " + eglError();
@@ -112,7 +113,6 @@ SharedContext::SharedContext() : display_(eglGetCurrentDisplay()) {
     EGLConfig config = nullptr;
     if (eglChooseConfig(display_, same, &config, 1, &count) == EGL_FALSE || count == 0)
         return;
-    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
     context_ = eglCreateContext(display_, config, current, version);
     EGLint surfaces = 0;
     eglGetConfigAttrib(display_, config, EGL_SURFACE_TYPE, &surfaces);

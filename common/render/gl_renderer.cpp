@@ -164,6 +164,7 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
     if (settings.countNonfinite)
         glClearBufferfv(GL_COLOR, 1, unmarked);
 
+    inUse_ = {};
     lights_.set(plan);
     if (std::any_of(plan.draws.begin(), plan.draws.end(),
                     [](const lighting::Draw& mesh) { return mesh.variant.clustered != 0; })) {
@@ -179,19 +180,29 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
     stats_.compileMilliseconds = programs_.compileMilliseconds();
 }
 
-void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
-                          const lighting::Settings& settings) {
+// Makes the program of a draw the one in use, with its lights; where `reuse`, only if the draw before had another.
+const Program& GlRenderer::useProgram(const lighting::Draw& draw, bool reuse) {
+    if (reuse && inUse_.program != nullptr && inUse_.variant == draw.variant && inUse_.lights == draw.lights)
+        return *inUse_.program;
+    const LightNumbers& lights = lights_.of(draw.lights);
     lighting::Variant variant = draw.variant;
-    const bool worthCompiling =
-        lights_.of(draw.lights).count() <= constantsAtOnce ? lights_.settled() : lights_.lasting();
+    const bool worthCompiling = lights.count() <= constantsAtOnce ? lights_.settled() : lights_.lasting();
     if (variant.storage == lighting::LightStorage::constants && !worthCompiling)
         variant.storage = lighting::LightStorage::uniforms;
-    Program& program = programs_.get(variant, lights_.of(draw.lights));
+    Program& program = programs_.get(variant, lights);
     glUseProgram(program.id);
     if (variant.lit)
-        lights_.use(program, draw.lights, settings.skip);
+        lights_.use(program, draw.lights, reuse);
     if (variant.clustered != 0)
         clusters_.use(program);
+    stats_.variants.insert(variant);
+    inUse_ = {draw.variant, draw.lights, &program};
+    return program;
+}
+
+void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
+                          const lighting::Settings& settings) {
+    const Program& program = useProgram(draw, settings.skip);
     const GpuGeometry& geometry = geometries_.get(draw, settings.skip);
 
     const glm::mat4 clip(draw.clip);
@@ -222,7 +233,6 @@ void GlRenderer::drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosit
         glDrawElements(GL_TRIANGLES, geometry.count, GL_UNSIGNED_INT, nullptr);
     else
         glDrawArrays(GL_TRIANGLES, 0, geometry.count);
-    stats_.variants.insert(variant);
     ++stats_.drawCalls;
     ++stats_.meshesDrawn;
     stats_.triangles += geometry.count / 3;

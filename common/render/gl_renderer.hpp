@@ -47,11 +47,18 @@ class GlRenderer final : public Renderer {
     RenderTarget& target(const FrameRequest& request, bool countNonfinite);
     void drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
                   const lighting::Settings& settings);
+    const Program& useProgram(const lighting::Draw& draw, bool reuse);
 
     Programs programs_;
     GpuGeometries geometries_;
     GpuLights lights_;
     GpuClusters clusters_;
+    // What the last draw of this frame used: most draws want the same.
+    struct InUse {
+        lighting::Variant variant;  // as the plan has it
+        std::size_t lights = 0;
+        const Program* program = nullptr;
+    } inUse_;
     std::unique_ptr<RenderTarget> target_;
     GLuint shown_ = 0;  // texture of showInWindow
     FrameStats stats_;

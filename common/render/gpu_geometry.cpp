@@ -40,6 +40,11 @@ std::vector<float> vertices(const THREE::BufferGeometry& geometry, const glm::dv
 
 }  // namespace
 
+void describeVertices() {
+    attribute(0, 0);
+    attribute(1, 3 * sizeof(float));
+}
+
 GpuGeometries::~GpuGeometries() {
     for (const auto& [key, gpu] : geometries_)
         destroy(gpu);
@@ -72,8 +77,7 @@ void GpuGeometries::upload(const lighting::Draw& draw, GpuGeometry& gpu) {
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertexBuffer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(float)), data.data(),
                  GL_STATIC_DRAW);
-    attribute(0, 0);
-    attribute(1, 3 * sizeof(float));
+    describeVertices();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indexBuffer);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(index.size() * sizeof(index[0])),
                  index.data(), GL_STATIC_DRAW);

@@ -22,6 +22,9 @@ struct GpuGeometry {
     std::uint64_t lastUsed = 0;  ///< frame number
 };
 
+/// Tells the vertex array that is bound how the buffer that is bound lies: see GpuGeometry::vertexBuffer.
+void describeVertices();
+
 /// The geometries of one context.
 class GpuGeometries {
   public:

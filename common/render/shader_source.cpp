@@ -190,7 +190,7 @@ std::string preamble(const lighting::Variant& v, const LightNumbers& lights, boo
     if (!v.lit)
         return out.str();
     for (const lighting::TermInfo& row : lighting::terms())
-        define(row.define, static_cast<int>(v.terms >> static_cast<unsigned>(row.term) & 1U));
+        define(row.define, v.has(row.term));
     define("EMISSIVE", v.emissive);
     define("WINDOW", v.window);
     define("SCALED", v.scaled);

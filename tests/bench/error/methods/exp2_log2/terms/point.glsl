@@ -15,22 +15,4 @@ vec3 point_light(int i, vec3 n, vec3 Q, vec3 D, float k)
 
 #endif
 
-// The lights stand sorted by their exponent k, so that each loop knows its own.
-vec3 add_point_lights(vec3 P, vec3 n, vec3 Q, vec3 v, vec3 D)
-{
-#if TERM_POINT
-#pragma unroll
-    for (int i = 0; i < END_DECAY_0; ++i)
-        P = add(P, point_light(i, n, Q, D, 0.0));
-#pragma unroll
-    for (int i = END_DECAY_0; i < END_DECAY_1; ++i)
-        P = add(P, point_light(i, n, Q, D, 1.0));
-#pragma unroll
-    for (int i = END_DECAY_1; i < END_DECAY_2; ++i)
-        P = add(P, point_light(i, n, Q, D, 2.0));
-#pragma unroll
-    for (int i = END_DECAY_2; i < NUM_POINT_LIGHTS; ++i)
-        P = add(P, point_light(i, n, Q, D, point_decay(i)));
-#endif
-    return P;
-}
+#include "../point_loops.glsl"
