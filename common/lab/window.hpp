@@ -2,53 +2,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/panel.hpp"
+
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace lab {
 
-/// How a piece of text on the panel looks.
-enum class Tone { plain, active, idle, off, title };
-
-/// A piece of text.
-struct Span {
-    std::string text;  // UTF-8
-    Tone tone = Tone::plain;
-};
-
-/// A row with a number that is moved by hand: a bar that the mouse can drag, and text to its right.
-struct Bar {
-    double share = 0;  ///< how full, 0 to 1
-    bool chosen = false;  ///< the one that the arrow keys move
-    std::vector<Span> text;
-};
-
-/// What stands on the panel: plain text, so that another front end could draw it too.
-struct Panel {
-    std::vector<Span> equation;  ///< at the top, left to right
-    std::string message;  ///< below the equation, may be empty
-    std::vector<std::vector<Span>> rows;  ///< in the lower left corner, a line each; may be empty
-    std::vector<Bar> bars;  ///< in the lower right corner, with the readings below; may be empty
-    std::vector<std::vector<Span>> readings;  ///< a line each; may be empty
-};
-
-/// What the user did.
+/// What the user did, or what came from outside.
 struct Event {
-    enum class Kind { key, drag, pan, wheel, bar, redraw, close };
+    enum class Kind {
+        key,  ///< `key`, `modified`
+        drag,  ///< left button on the picture: dx, dy
+        pan,  ///< right button on the picture: dx, dy
+        release,  ///< a drag, pan, handle or divider was let go
+        wheel,  ///< dy: steps, forwards > 0
+        hover,  ///< the mouse is over the picture, at x, y
+        leave,  ///< it is over it no longer
+        handle,  ///< the handle `text` is dragged to x, y
+        divider,  ///< the divider is dragged to x
+        command,  ///< a widget or a symbol says `text`
+        line,  ///< `text` is a line of stdin
+        endOfLines,  ///< stdin has ended
+        file,  ///< the file `text`, as watch() would find it, was saved
+        redraw,
+        close
+    };
     Kind kind = Kind::redraw;
-    int key =
-        0;  ///< key: its character in upper case ('1', 'R', ' '), or one of the codes below; bar: its number
-    double dx =
-        0;  ///< drag, pan: to the right, fractions of the window's height; bar: its new share; wheel: unused
-    double dy = 0;  ///< drag, pan: downwards; wheel: steps, forwards > 0
-    bool modified = false;  ///< key: with shift or control
+    int key = 0;  ///< its character in upper case ('1', 'R', ' '), or one of the codes below
+    double dx = 0;  ///< to the right, fractions of the window's height
+    double dy = 0;  ///< downwards
+    bool modified = false;  ///< with shift
+    bool control = false;  ///< with control
+    double x = 0, y = 0;  ///< place on the picture, as PanelPoint
+    std::string text = {};
 };
 inline constexpr int keyEscape = 0x100;
-inline constexpr int keyF2 = 0x101;
 inline constexpr int keyTab = 0x102;
 inline constexpr int keyLeft = 0x103;  ///< this and the next are repeated while held
 inline constexpr int keyRight = 0x104;
+inline constexpr int keyPageUp = 0x105;
+inline constexpr int keyPageDown = 0x106;
+inline constexpr int keyDelete = 0x107;
+inline constexpr int keyF1 = 0x110;  ///< F2 is the next, and so on to F12
+inline constexpr int keyF2 = 0x111;
+inline constexpr int keyF11 = 0x11A;
+
+/// What one program leaves to the next one in the same window.
+struct Handover {
+    std::string program;  ///< the lesson to go on with; empty: none, leave
+    std::string sceneFile;  ///< scene_viewer's
+    std::vector<std::string> options;  ///< what stays as it was: language, font size, theme
+    std::function<void(void* view)> guest;  ///< set: the next program hands its View to this instead of showing it
+    int programs = 0;  ///< how many are running in this window, one started by the other
+};
 
 /// A window with an OpenGL ES 3.0 context that is current.
 class Window {
@@ -58,14 +67,23 @@ class Window {
     virtual void framebufferSize(int& width, int& height) const = 0;
     /// What happened since the last call. Waits for something to happen if `wait`, using no CPU.
     virtual std::vector<Event> events(bool wait) = 0;
+    /// Ends a wait of events(); from any thread.
+    virtual void wake() = 0;
     /// Draws the panel over the frame and shows both.
     virtual void show(const Panel& panel) = 0;
+    /// From now on, saved files of these folders are told as Event::Kind::file (in place of those told before).
+    virtual void watch(const std::vector<std::string>& folders) = 0;
+    virtual void setTitle(const std::string& title) = 0;
+    virtual void toggleFullscreen() = 0;
+    Handover handover;
 };
 
-/// Opens a window by loading the module. Null with a reason where there is no display or no module.
-std::unique_ptr<Window> openWindow(int width, int height, const std::string& title, std::string& reason);
+/// Opens a window by loading the module, or gives back the one that is open in this process. Null with a reason where there is
+/// no display or no module.
+std::shared_ptr<Window> openWindow(int width, int height, const std::string& title, std::string& reason);
 
-/// The module's one entry point (extern "C" lambertOpenWindow): null, with a reason, where it cannot.
-using OpenWindowFunction = Window* (*)(int width, int height, const char* title, std::string& reason);
+/// The module's one entry point (extern "C" lambertOpenWindow): leaves `window` null, with a reason, where it cannot.
+using OpenWindowFunction = void (*)(int width, int height, const char* title, std::shared_ptr<Window>& window,
+                                    std::string& reason);
 
 }  // namespace lab
