@@ -4,7 +4,8 @@
 
 #include "lab/failure.hpp"
 #include "lab/frame_batch.hpp"
-#include "lab/live.hpp"
+#include "lab/live/live.hpp"
+#include "lab/live/state_file.hpp"
 #include "lab/stills.hpp"
 #include "lab/view.hpp"
 #include "lab/window.hpp"
@@ -16,6 +17,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <utility>
 
 namespace lab {
 
@@ -59,19 +61,30 @@ void aim(THREE::PerspectiveCamera& camera, const THREE::LoadedScene& loaded, con
 }
 
 // The window, or the picture that takes its place.
-void showOne(View& view, Options& options, Renderers& renderers, Phases& phases) {
+void showOne(View& view, Options& options, Renderers& renderers, Phases& phases, Handover& handover) {
     if (options.wantsWindow()) {
         std::string reason;
-        const std::unique_ptr<Window> window =
-            openWindow(options.width.value_or(960), options.height.value_or(600), options.lesson, reason);
-        if (window != nullptr)
-            return runLive(view, *window, options);
+        if (handover.window == nullptr)
+            handover.window =
+                openWindow(options.width.value_or(960), options.height.value_or(600), options.lesson, reason);
+        if (handover.window != nullptr)
+            return runLive(view, options, handover);
         options.frame = options.lesson + ".png";
         std::cout << options.lesson << say({": nessuno schermo (", ": no display ("}, options.language)
                   << reason << say({"), scrivo l'immagine ", "), writing the frame "}, options.language)
                   << options.frame << std::endl;
     }
     drawStill(view, options, renderers, phases);
+}
+
+// Programs that are run in the window of the first, one after the other, until one of them does not name another.
+int runFollowers(Handover& handover) {
+    int status = done;
+    while (!handover.program.empty()) {
+        const std::string program = std::exchange(handover.program, {});
+        status = runProgram(program, std::exchange(handover.arguments, {}), handover);
+    }
+    return status;
 }
 
 // Loading the program and its libraries takes processor time and little else, and that clock is exact.
@@ -97,23 +110,45 @@ App::App(int argc, char** argv, const std::string& lesson)
 }
 
 int App::present(const WithView& withView) {
+    Handover* const first = std::exchange(lambertHandover, nullptr);
+    if (first != nullptr && first->guest) {  // another lesson shows this one's scene; what is thrown is that one's affair
+        withView(options_, first->guest);
+        return done;
+    }
     Renderers renderers;  // never destroyed: the driver's own clean-up would cost a tenth of a whole frame
+    Handover own;
+    Handover& handover = first != nullptr ? *first : own;
     int status = done;
-    const std::optional<Failure> failure = attempt([&] {
+    std::optional<Failure> failure = attempt([&] {
         if (!options_.framesFrom.empty()) {
             status = drawFrames(options_, controls_, withView, renderers, phases_);
             return;
         }
         if (const std::string wrong = controls_.set(options_.set); !wrong.empty())
             throw UsageError(wrong);
-        withView(options_, [&](View& view) { showOne(view, options_, renderers, phases_); });
+        takeSize();
+        withView(options_, [&](View& view) { showOne(view, options_, renderers, phases_, handover); });
     });
+    if (!failure && first == nullptr)
+        failure = attempt([&] { status = handover.program.empty() ? status : runFollowers(handover); });
     if (failure)
         status = tell(*failure, options_);
+    if (first != nullptr)
+        return status;
+    handover.window.reset();  // before the process goes, and its libraries with it
     if (!flushOutput(options_.lesson) && status == done)
         status = cannotWrite;
     std::fflush(nullptr);
     std::_Exit(status);
+}
+
+// A saved state's picture is as large as it was, unless --size says otherwise.
+void App::takeSize() {
+    if (options_.state.empty() || options_.width)
+        return;
+    const SavedState state = readState(options_.state, options_.lesson);
+    options_.width = state.width;
+    options_.height = state.height;
 }
 
 int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {

@@ -45,6 +45,7 @@ class App {
 
   private:
     int present(const WithView& withView);
+    void takeSize();
 
     Phases phases_;
     Options options_;

@@ -14,34 +14,11 @@
 
 namespace lab {
 
-namespace {
-
-// About a hundredth of the range: 1, 2 or 5 times a power of ten.
-double stepOf(const Slider& slider) {
-    const double hundredth = (slider.max - slider.min) / 100;
+double Slider::step() const {
+    const double hundredth = (max - min) / 100;
     const double power = std::pow(10, std::floor(std::log10(hundredth)));
     const double digit = hundredth / power;
     return power * (digit < 1.5 ? 1 : digit < 3.2 ? 2 : digit < 7 ? 5 : 10);
-}
-
-// The multiple of a step. A fraction is divided by a whole number, so that it is the double nearest to its digits.
-double multiple(double count, double step) {
-    return step < 1 ? count / std::round(1 / step) : count * std::round(step);
-}
-
-}  // namespace
-
-void Slider::move(int steps) {
-    const double step = stepOf(*this);
-    const double count = value / step;
-    const double onGrid = steps > 0 ? std::floor(count + 1e-6) : std::ceil(count - 1e-6);
-    value = std::clamp(multiple(onGrid + steps, step), min, max);
-}
-
-void Slider::moveTo(double share) {
-    const double step = stepOf(*this);
-    const double wanted = min + std::clamp(share, 0.0, 1.0) * (max - min);
-    value = std::clamp(multiple(std::round(wanted / step), step), min, max);
 }
 
 const double& Controls::add(const std::string& name, double start, double min, double max,

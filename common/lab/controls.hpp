@@ -20,13 +20,8 @@ struct Slider {
     double value;  ///< now; from min to max
     double own = start;  ///< the lesson's own start, whatever --set says
 
-    /// Moves it by whole steps. A step is about 1/100 of the range, rounded to 1, 2 or 5 times a power of ten, and values
-    /// fall on multiples of it: 0.57, never 0.5699999.
-    void move(int steps);
-    /// Moves it to the step nearest to a share of the range; 0: min, 1: max.
-    void moveTo(double share);
-    /// Where it stands in its range, 0 to 1.
-    double share() const { return (value - min) / (max - min); }
+    /// About 1/100 of the range, rounded to 1, 2 or 5 times a power of ten.
+    double step() const;
 };
 
 /// A number that a lesson reads off its scene.

@@ -3,6 +3,7 @@
 #include "lab/options.hpp"
 
 #include "lab/failure.hpp"
+#include "lab/live/values.hpp"
 #include "lab/number.hpp"
 #include "lab/switches.hpp"
 
@@ -28,42 +29,6 @@ double finite(const std::string& option, const std::string& text) {
     return *value;
 }
 
-void readSize(const std::string& text, Options& options) {
-    const std::size_t x = text.find('x');
-    const std::optional<int> width = number<int>(std::string_view(text).substr(0, x));
-    const std::optional<int> height =
-        x == std::string::npos ? std::nullopt : number<int>(std::string_view(text).substr(x + 1));
-    if (!width || !height || *width < 1 || *height < 1 || *width > largestSize || *height > largestSize)
-        throw CLI::ValidationError("--size",
-                                   "expected WIDTHxHEIGHT, each from 1 to 8192 pixels, found '" + text + "'");
-    options.width = width;
-    options.height = height;
-}
-
-void readCamera(const std::string& text, Options& options) {
-    std::vector<double> values;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        values.push_back(finite("--camera", text.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    if (values.size() != 6 && values.size() != 7)
-        throw CLI::ValidationError(
-            "--camera", "expected px,py,pz,tx,ty,tz or, with the angle of view, one number more; found " +
-                            std::to_string(values.size()) + " in '" + text + "'");
-    CameraOption camera{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, {}};
-    if (values.size() == 7) {
-        if (!(values[6] > 0 && values[6] < 180))
-            throw CLI::ValidationError(
-                "--camera", "expected an angle of view between 0 and 180 degrees, found '" + text + "'");
-        camera.fov = values[6];
-    }
-    if (std::equal(camera.position, camera.position + 3, camera.target))
-        throw CLI::ValidationError("--camera",
-                                   "expected two different points, found the same twice in '" + text + "'");
-    options.camera = camera;
-}
-
 std::string listTerms(Language language) {
     std::ostringstream out;
     for (const lighting::TermInfo& row : lighting::terms())
@@ -71,6 +36,16 @@ std::string listTerms(Language language) {
             << row.slides << "  " << say(row.meaning, language)
             << (language == Language::it ? "; spento: " : "; off: ") << say(row.off, language) << '\n';
     return out.str();
+}
+
+// What `read` reads; what it refuses is the option's mistake.
+template <class Read>
+auto checked(const char* option, const Read& read) {
+    try {
+        return read();
+    } catch (const UsageError& error) {
+        throw CLI::ValidationError(option, error.what());
+    }
 }
 
 // Set before the options are described: --help is written in it.
@@ -104,7 +79,11 @@ void addNumbers(CLI::App& app, Options& options) {
     const Adder add{app};
     add("--size", "LxA: 512x512 per un'immagine, 960x600 per una finestra",
         "WxH: 512x512 for a frame, 960x600 for a window",
-        [&options](const std::string& value) { readSize(value, options); });
+        [&options](const std::string& value) {
+            const auto [width, height] = checked("--size", [&] { return readSize(value); });
+            options.width = width;
+            options.height = height;
+        });
     add("--time", "il tempo dell'animazione, in secondi (0)", "the animation's time in seconds (0)",
         [&options](const std::string& value) { options.time = finite("--time", value); });
     add("--decay", "l'esponente k di ogni luce posizionale", "the exponent k of every point light",
@@ -115,7 +94,9 @@ void addNumbers(CLI::App& app, Options& options) {
         });
     add("--camera", "px,py,pz,tx,ty,tz[,fov]: dove sta, cosa guarda, apertura in gradi",
         "px,py,pz,tx,ty,tz[,fov]: where it stands, what it looks at, angle of view",
-        [&options](const std::string& value) { readCamera(value, options); });
+        [&options](const std::string& value) {
+            options.camera = checked("--camera", [&] { return readCamera(value); });
+        });
     add("--jitter", "SEME: piccole variazioni di camera, luci e oggetti",
         "SEED: small changes of camera, lights and meshes", [&options](const std::string& value) {
             options.jitter = number<std::uint64_t>(value);
@@ -168,6 +149,8 @@ void addFiles(CLI::App& app, Options& options) {
         "FILE: a frame for each line of options in it, - for stdin; each line has a --frame of its own");
     add("--dump-scene", options.dumpScene, "FILE: scrive la scena come JSON di three.js",
         "FILE: writes the scene as three.js JSON");
+    add("--state", options.state, "FILE: comincia dallo stato salvato con S o F2",
+        "FILE: starts from the state that S or F2 saved");
     add("--shaders", options.shaders,
         "DIR: gli shader di questa cartella al posto di quelli del laboratorio con lo stesso nome",
         "DIR: the shaders of this folder in place of the lab's of the same name");
@@ -194,6 +177,15 @@ void addChoices(CLI::App& app, Options& options) {
                 throw CLI::ValidationError("--terms", error.what());
             }
         });
+    add("--presenter", "[N]: caratteri grandi per il proiettore, N da 16 a 48 (28)",
+        "[N]: large type for a projector, N from 16 to 48 (28)", [&options](const std::string& value) {
+            options.fontSize =
+                value.empty() ? 28 : checked("--presenter", [&] { return readNumber(value, 16, 48); });
+        })->expected(0, 1);
+    add("--theme", "dark o light: il tema chiaro, per proiettori deboli",
+        "dark or light: the light theme is for weak projectors",
+        [&options](const std::string& value) { options.lightTheme = value == "light"; })
+        ->check(CLI::IsMember({"dark", "light"}));
     add("--lang", "it o en", "it or en", [&options](const std::string& value) {
         options.language = value == "it" ? Language::it : Language::en;
     })->check(CLI::IsMember({"it", "en"}));
@@ -238,6 +230,30 @@ void parse(CLI::App& app, std::span<const std::string> words) {
 }
 
 }  // namespace
+
+std::pair<int, int> readSize(std::string_view text) {
+    const std::size_t x = text.find('x');
+    const std::optional<int> width = number<int>(text.substr(0, x));
+    const std::optional<int> height = x == std::string::npos ? std::nullopt : number<int>(text.substr(x + 1));
+    if (!width || !height || *width < 1 || *height < 1 || *width > largestSize || *height > largestSize)
+        throw UsageError("expected WIDTHxHEIGHT, each from 1 to 8192 pixels, found '" + std::string(text) + "'");
+    return {*width, *height};
+}
+
+CameraOption readCamera(std::string_view text) {
+    const std::vector<double> values = readNumbers(text, 6, 7);
+    CameraOption camera{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, {}};
+    if (values.size() == 7) {
+        if (!(values[6] > 0 && values[6] < 180))
+            throw UsageError("expected an angle of view between 0 and 180 degrees, found '" +
+                             std::string(text) + "'");
+        camera.fov = values[6];
+    }
+    if (std::equal(camera.position, camera.position + 3, camera.target))
+        throw UsageError("expected two different points, found the same twice in '" + std::string(text) +
+                         "'");
+    return camera;
+}
 
 bool flushOutput(const std::string& who) {
     if (std::cout.flush())

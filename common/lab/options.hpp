@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,6 +32,12 @@ struct CameraOption {
     std::optional<double> fov;
 };
 
+/// Reads --camera's px,py,pz,tx,ty,tz[,fov]. Throws UsageError that says what was expected.
+CameraOption readCamera(std::string_view text);
+
+/// Reads --size's WIDTHxHEIGHT, each from 1 to 8192. Throws UsageError.
+std::pair<int, int> readSize(std::string_view text);
+
 /// What the command line says.
 struct Options {
     std::string lesson;  ///< the program's name
@@ -47,6 +55,9 @@ struct Options {
     double lightCut = 0;  ///< --light-cut: what a pixel may lack, 8-bit codes; 0: nothing
     RendererKind renderer = RendererKind::gl;
     std::string shaders;  ///< --shaders, or empty
+    std::string state;  ///< --state: a file with a saved state, or empty
+    double fontSize = 16;  ///< of the window's text, 16 to 48; --presenter: 28, or what it says
+    bool lightTheme = false;  ///< --theme light
     int frames = 0;  ///< --frames: how many to time; 0: none
     bool stats = false;
     std::string dumpScene;  ///< where to write the scene's JSON, or empty

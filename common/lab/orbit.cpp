@@ -11,12 +11,18 @@ namespace lab {
 using THREE::Vector3;
 
 Orbit::Orbit(THREE::PerspectiveCamera& camera, const Vector3& target)
-    : camera_(camera), target_(target), startPosition_(camera.position), startQuaternion_(camera.quaternion),
-      startTarget_(target) {}
+    : camera_(camera), target_(target) {}
 
 double Orbit::distance() const { return std::max(Vector3(camera_.position).sub(target_).length(), 1e-30); }
 
-void Orbit::place(const Vector3& offset) {
+void Orbit::place(const Vector3& position, const Vector3& target) {
+    stop();
+    camera_.position = position;
+    target_ = target;
+    camera_.lookAt(target_);
+}
+
+void Orbit::placeAt(const Vector3& offset) {
     camera_.position = Vector3(target_).add(offset);
     camera_.lookAt(target_);
 }
@@ -32,7 +38,7 @@ void Orbit::rotate(double dx, double dy) {
     const double azimuth = std::atan2(offset.dot(side), offset.dot(front)) - dx * 2 * std::numbers::pi;
     const double polar = std::acos(std::clamp(offset.dot(pole) / radius, -1.0, 1.0)) - dy * std::numbers::pi;
     const double kept = std::clamp(polar, 1e-4, std::numbers::pi - 1e-4);
-    place(Vector3(side)
+    placeAt(Vector3(side)
               .multiplyScalar(radius * std::sin(kept) * std::sin(azimuth))
               .add(Vector3(pole).multiplyScalar(radius * std::cos(kept)))
               .add(Vector3(front).multiplyScalar(radius * std::sin(kept) * std::cos(azimuth))));
@@ -44,7 +50,7 @@ void Orbit::zoom(double steps) {
     const double now = distance();
     const double nearest = std::min(now, camera_.near * 1.01);
     const double farthest = std::max(now, camera_.far * 0.5);
-    place(Vector3(camera_.position)
+    placeAt(Vector3(camera_.position)
               .sub(target_)
               .multiplyScalar(std::clamp(now * factor, nearest, farthest) / now));
 }
@@ -57,12 +63,24 @@ void Orbit::pan(double dx, double dy) {
     const Vector3 shift = right * (-dx * height) + above * (dy * height);
     camera_.position.add(shift);
     target_.add(shift);
+    camera_.lookAt(target_);  // the same to the last bits as for a camera that is put there
 }
 
-void Orbit::reset() {
-    target_ = startTarget_;
-    camera_.position = startPosition_;
-    camera_.quaternion = startQuaternion_;
+bool Orbit::coast(double seconds) {
+    constexpr double perSecond = 6, slowest = 0.01;  // the share of speed that is lost; heights a second
+    if (std::hypot(speed_.x, speed_.y) < slowest)
+        stop();
+    if (speed_.x == 0 && speed_.y == 0)
+        return false;
+    const double t = std::clamp(seconds, 0.0, 0.1);
+    if (speed_.pans)
+        pan(speed_.x * t, speed_.y * t);
+    else
+        rotate(speed_.x * t, speed_.y * t);
+    const double kept = std::exp(-perSecond * t);
+    speed_.x *= kept;
+    speed_.y *= kept;
+    return true;
 }
 
 }  // namespace lab

@@ -19,21 +19,35 @@ class Orbit {
     void zoom(double steps);
     /// A drag by a fraction of the window's height: the target's plane follows the mouse.
     void pan(double dx, double dy);
-    /// Back to where it all began.
-    void reset();
+    /// A drag was let go while it moved by so many heights of the window a second: it goes on, slower and slower, as with three.js's
+    /// damping. `pans`: it shifted.
+    void fling(double dx, double dy, bool pans) { speed_ = {dx, dy, pans}; }
+    /// Goes on for so many seconds. False once it stands still.
+    bool coast(double seconds);
+    /// No motion goes on.
+    void stop() { speed_ = {}; }
+    /// Puts the camera somewhere, looking at another point, which it orbits from now on.
+    void place(const THREE::Vector3& position, const THREE::Vector3& target);
+    /// The point that it orbits, without a move of the camera.
+    void setTarget(const THREE::Vector3& target) {
+        stop();
+        target_ = target;
+    }
 
     const THREE::Vector3& target() const { return target_; }
     /// From the camera to the target, world units, > 0.
     double distance() const;
 
   private:
-    void place(const THREE::Vector3& offset);
+    struct Speed {
+        double x = 0, y = 0;  // heights of the window a second
+        bool pans = false;
+    };
+    void placeAt(const THREE::Vector3& offset);
 
     THREE::PerspectiveCamera& camera_;
     THREE::Vector3 target_;
-    THREE::Vector3 startPosition_;
-    THREE::Quaternion startQuaternion_;
-    THREE::Vector3 startTarget_;
+    Speed speed_;
 };
 
 }  // namespace lab

@@ -3,11 +3,10 @@
 #include "lab/stills.hpp"
 
 #include "image/write.hpp"
-#include "lab/equation.hpp"
 #include "lab/light_cost.hpp"
+#include "lab/live/picture.hpp"
 #include "lab/progress.hpp"
 #include "lab/stats.hpp"
-#include "lab/switches.hpp"
 #include "render/gl_renderer.hpp"
 #include "render/shader_source.hpp"
 #include "three/object_loader.hpp"
@@ -20,28 +19,6 @@
 namespace lab {
 
 namespace {
-
-// Formats that keep more than 8 bits get the float frame.
-bool wantsFloats(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
-}
-
-image::Metadata metadata(const Options& options, const View& view, const lighting::Switches& switches,
-                         const render::Renderer& renderer) {
-    image::Metadata all{{"lesson", options.lesson},
-                        {"terms", switches.terms.text()},
-                        {"equation", equationText(switches.terms, renderer.stats().shiny)},
-                        {"renderer", renderer.name()},
-                        {"version", LAMBERT_VERSION}};
-    if (const std::string text = switchesText(switches); !text.empty())
-        all.emplace_back("switches", text);
-    if (!view.controls().sliders().empty())
-        all.emplace_back("sliders", view.controls().text());
-    return all;
-}
 
 void tellReadings(const Controls& controls, Language language) {
     for (const Reading& reading : controls.readings)
@@ -73,11 +50,10 @@ void tellTimes(const LightCost& cost, const render::FrameRequest& request) {
 }
 
 // Draws the frame, and gives each part of the time a name. What the renderer does not name is drawing.
-image::Frame drawFrame(View& view, const Options& options, render::Renderer& renderer,
-                       const render::FrameRequest& request, Phases& phases, StatsReport& report) {
+image::Frame drawFrame(std::span<const Side> sides, render::Renderer& renderer, const render::FrameRequest& request,
+                       Phases& phases, StatsReport& report) {
     const double compiledBefore = renderer.stats().compileMilliseconds;
-    image::Frame frame =
-        renderer.render(view.scene(), view.camera(), view.settings(options.switches), request);
+    image::Frame frame = drawSides(sides, renderer, request);
     const double all = phases.lap();
     report.frameMilliseconds = {all};
     const render::FrameStats stats = renderer.stats();
@@ -125,35 +101,30 @@ void tellStats(View& view, const Options& options, Renderers& renderers, const r
     std::cout << statsJson(report, stats) << '\n';
 }
 
-}  // namespace
-
-void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,
-                  const lighting::Switches& switches, int width, int height, const Options& options) {
-    view.update(time, width, height);
-    const image::Frame frame = renderer.render(view.scene(), view.camera(), view.settings(switches),
-                                               {width, height, wantsFloats(path)});
-    image::write(path, frame, metadata(options, view, switches, renderer));
-}
-
-void drawStill(View& view, const Options& options, Renderers& renderers, Phases& phases) {
+// The picture of a session, and everything else that the options ask for.
+void drawSession(Session& session, View* before, const Options& options, Renderers& renderers, Phases& phases) {
+    View& view = session.view();
     const render::FrameRequest request{options.width.value_or(512), options.height.value_or(512),
                                        wantsFloats(options.frame)};
-    view.update(options.time, request.width, request.height);
+    session.update(request.width, request.height);
+    follow(session, before, request.width, request.height);
     phases.mark("scene");
     if (!options.dumpScene.empty())
         image::writeText(options.dumpScene, THREE::toJSON(view.scene(), &view.camera()));
+    const std::vector<Side> sides = session.sides(request.width, before);
     if (options.dumpShader)
-        dumpShaders(view.plan(options.switches), render::findShaderDirectory(options.shaders));
+        dumpShaders(lighting::planFrame(view.scene(), view.camera(), session.settings()),
+                    render::findShaderDirectory(options.shaders));
     if (options.frame.empty() && options.frames == 0 && !options.stats)
         return;
     render::Renderer& renderer = renderers.get(options);
     phases.mark("context");
     StatsReport report;
-    const image::Frame frame = drawFrame(view, options, renderer, request, phases, report);
+    const image::Frame frame = drawFrame(sides, renderer, request, phases, report);
     renderers.pictureIsDrawn();
     const render::FrameStats stats = renderer.stats();
     if (!options.frame.empty()) {
-        image::write(options.frame, frame, metadata(options, view, options.switches, renderer));
+        image::write(options.frame, frame, metadata(session, renderer, options.lesson));
         phases.mark("write");
     }
     report.phases = phases;
@@ -163,8 +134,20 @@ void drawStill(View& view, const Options& options, Renderers& renderers, Phases&
         tellStats(view, options, renderers, request, stats, report);
     else if (!options.frame.empty())
         tellReadings(view.controls(), options.language);
-    if (options.lightCut > 0 && !options.stats)
+    if (view.lightCut > 0 && !options.stats)
         tellCut(stats, options);
+}
+
+}  // namespace
+
+void drawStill(View& view, const Options& wanted, Renderers& renderers, Phases& phases) {
+    Session session(view, wanted);
+    Options options = wanted;  // and what a saved state says in their place
+    options.switches = session.switches;
+    options.renderer = session.renderer;
+    options.time = session.time;
+    withLessonBefore(session, options.lesson,
+                     [&](View* before) { drawSession(session, before, options, renderers, phases); });
 }
 
 }  // namespace lab

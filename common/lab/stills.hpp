@@ -13,8 +13,4 @@ namespace lab {
 /// `phases` goes on from where the caller left it.
 void drawStill(View& view, const Options& options, Renderers& renderers, Phases& phases);
 
-/// Draws what the view shows at `time` and writes it to `path`, with what is needed to know the picture again.
-void writePicture(View& view, render::Renderer& renderer, const std::string& path, double time,
-                  const lighting::Switches& switches, int width, int height, const Options& options);
-
 }  // namespace lab

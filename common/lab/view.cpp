@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/view.hpp"
 
+#include "lab/live/values.hpp"
 #include "three/lights.hpp"
 #include "three/validate.hpp"
 
@@ -49,17 +50,9 @@ void bringIntoView(THREE::PerspectiveCamera& camera, const THREE::Scene& scene) 
 
 namespace {
 
-// What the camera orbits: what it was told to look at, else the point on its axis that is nearest the scene's middle.
-Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Options& options,
+// What the camera orbits: the point on its axis that is nearest the scene's middle.
+Vector3 orbitTarget(THREE::Scene& scene, THREE::PerspectiveCamera& camera,
                     const std::optional<Vector3>& knownMiddle) {
-    if (options.camera) {
-        const CameraOption& wanted = *options.camera;
-        camera.position.set(wanted.position[0], wanted.position[1], wanted.position[2]);
-        camera.fov = wanted.fov.value_or(camera.fov);
-        const Vector3 target(wanted.target[0], wanted.target[1], wanted.target[2]);
-        camera.lookAt(target);
-        return target;
-    }
     scene.updateMatrixWorld();
     camera.updateWorldMatrix();
     const Vector3 eye = camera.matrixWorld.position();
@@ -86,12 +79,16 @@ void View::Start::putBack(THREE::PerspectiveCamera& camera) const {
 
 View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation,
            const Options& options, Controls& controls, const std::optional<Vector3>& middle)
-    : decay(options.decay), scene_(scene), camera_(camera), animation_(animation), options_(options),
-      controls_(controls), start_(camera), orbit_(camera, orbitTarget(scene, camera, options, middle)),
-      jitter_(options.jitter.value_or(0)) {}
+    : decay(options.decay), lightCut(options.lightCut), scene_(scene), camera_(camera), animation_(animation),
+      options_(options), controls_(controls), start_(camera), ownTarget_(orbitTarget(scene, camera, middle)),
+      orbit_(camera, ownTarget_), seed_(options.jitter), jitter_(options.jitter.value_or(0)) {
+    if (options.camera)
+        moveTo(*options.camera);
+}
 
 View::~View() {
     jitter_.undo();
+    overrides.undo();
     restoreDecays();
     start_.putBack(camera_);
 }
@@ -102,8 +99,44 @@ void View::restoreDecays() {
     ownDecays_.clear();
 }
 
+void View::moveTo(const CameraOption& wanted) {
+    jitter_.undo();
+    camera_.fov = wanted.fov.value_or(camera_.fov);
+    orbit_.place({wanted.position[0], wanted.position[1], wanted.position[2]},
+                 {wanted.target[0], wanted.target[1], wanted.target[2]});
+}
+
+void View::setCamera(const std::string& text) { moveTo(readCamera(text)); }
+
+std::string View::cameraText() {
+    jitter_.undo();
+    const Vector3 eye = camera_.position, target = orbit_.target();
+    return numbersText({eye.x, eye.y, eye.z, target.x, target.y, target.z, camera_.fov});
+}
+
+bool View::cameraMoved() {
+    jitter_.undo();
+    const auto same = [](const Vector3& a, const Vector3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    const THREE::Quaternion &now = camera_.quaternion, &start = start_.quaternion;
+    return !same(camera_.position, start_.position) || !same(orbit_.target(), ownTarget_) ||
+           camera_.fov != start_.fov || now.x != start.x || now.y != start.y || now.z != start.z || now.w != start.w;
+}
+
+void View::resetCamera() {
+    jitter_.undo();
+    start_.putBack(camera_);
+    orbit_.setTarget(ownTarget_);
+}
+
+void View::setJitter(std::optional<std::uint64_t> seed) {
+    jitter_.undo();
+    seed_ = seed;
+    jitter_ = Jitter(seed.value_or(0));
+}
+
 void View::update(double time, int width, int height) {
     jitter_.undo();
+    overrides.undo();
     restoreDecays();
     controls_.readings.clear();
     if (animation_)
@@ -115,6 +148,7 @@ void View::update(double time, int width, int height) {
                 point->decay = *decay;
             }
         });
+    overrides.apply();
     camera_.aspect = static_cast<double>(width) / height;
     const auto check = [this] {
         scene_.updateMatrixWorld();
@@ -122,7 +156,7 @@ void View::update(double time, int width, int height) {
         THREE::validate(scene_, camera_);
     };
     check();
-    if (options_.jitter) {
+    if (seed_) {
         jitter_.apply(scene_, camera_, orbit_.target());
         check();
     }
@@ -132,7 +166,7 @@ lighting::Settings View::settings(const lighting::Switches& switches) const {
     lighting::Settings settings;
     static_cast<lighting::Switches&>(settings) = switches;
     settings.skip = options_.skip;
-    settings.lightCut = options_.lightCut;
+    settings.lightCut = lightCut;
     settings.focus = orbit_.target();
     settings.focusDistance = orbit_.distance();
     return settings;

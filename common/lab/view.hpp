@@ -5,6 +5,7 @@
 #include "lab/app.hpp"
 #include "lab/controls.hpp"
 #include "lab/jitter.hpp"
+#include "lab/live/overrides.hpp"
 #include "lab/options.hpp"
 #include "lab/orbit.hpp"
 #include "lighting/frame_plan.hpp"
@@ -35,17 +36,34 @@ class View {
     lighting::Settings settings(const lighting::Switches& switches) const;
 
     const THREE::Scene& scene() const { return scene_; }
+    THREE::Scene& scene() { return scene_; }
     Controls& controls() { return controls_; }
     const Controls& controls() const { return controls_; }
     const THREE::PerspectiveCamera& camera() const { return camera_; }
     bool animated() const { return animation_ != nullptr; }
     /// The exponent of every point light from the next update on, or none: each light's own.
     std::optional<double> decay;
+    /// What was given to lights and materials by hand; put on by the next update.
+    Overrides overrides;
+    double lightCut;  ///< --light-cut, 8-bit codes
     /// For the mouse. Jitter is taken back first, so that a drag is not lost with it.
     Orbit& orbit() {
         jitter_.undo();
         return orbit_;
     }
+    const Orbit& orbit() const { return orbit_; }
+
+    /// --jitter's seed, or none; from the next update on.
+    const std::optional<std::uint64_t>& jitter() const { return seed_; }
+    void setJitter(std::optional<std::uint64_t> seed);
+
+    /// "px,py,pz,tx,ty,tz,fov" of the camera without jitter: what setCamera() reads, to the same bits.
+    std::string cameraText();
+    /// As --camera, with the same errors (UsageError).
+    void setCamera(const std::string& text);
+    /// Whether it is not where the program put it.
+    bool cameraMoved();
+    void resetCamera();
 
   private:
     struct Start {  // the camera, as it was found
@@ -57,6 +75,7 @@ class View {
         double fov, aspect;
     };
     void restoreDecays();
+    void moveTo(const CameraOption& wanted);
 
     THREE::Scene& scene_;
     THREE::PerspectiveCamera& camera_;
@@ -64,7 +83,9 @@ class View {
     const Options& options_;
     Controls& controls_;
     Start start_;
+    THREE::Vector3 ownTarget_;  // what the camera orbits unless --camera says so
     Orbit orbit_;
+    std::optional<std::uint64_t> seed_;
     Jitter jitter_;
     std::vector<std::pair<THREE::PointLight*, double>> ownDecays_;  // of the lights that `decay` overrides
 };

@@ -4,7 +4,6 @@
 
 #include "lab/panel.hpp"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,15 +49,6 @@ inline constexpr int keyF1 = 0x110;  ///< F2 is the next, and so on to F12
 inline constexpr int keyF2 = 0x111;
 inline constexpr int keyF11 = 0x11A;
 
-/// What one program leaves to the next one in the same window.
-struct Handover {
-    std::string program;  ///< the lesson to go on with; empty: none, leave
-    std::string sceneFile;  ///< scene_viewer's
-    std::vector<std::string> options;  ///< what stays as it was: language, font size, theme
-    std::function<void(void* view)> guest;  ///< set: the next program hands its View to this instead of showing it
-    int programs = 0;  ///< how many are running in this window, one started by the other
-};
-
 /// A window with an OpenGL ES 3.0 context that is current.
 class Window {
   public:
@@ -75,7 +65,8 @@ class Window {
     virtual void watch(const std::vector<std::string>& folders) = 0;
     virtual void setTitle(const std::string& title) = 0;
     virtual void toggleFullscreen() = 0;
-    Handover handover;
+    /// Where symbols, widgets, handles and the divider were drawn last: a line each, "widget term ambient 812 240", centres in pixels.
+    virtual std::string places() const = 0;
 };
 
 /// Opens a window by loading the module, or gives back the one that is open in this process. Null with a reason where there is

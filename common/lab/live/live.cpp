@@ -1,0 +1,326 @@
+// The window's loop: events to commands, and drawing only what changed.
+// SPDX-License-Identifier: MIT
+#include "lab/live/live.hpp"
+
+#include "lab/failure.hpp"
+#include "lab/live/commands.hpp"
+#include "lab/live/keys.hpp"
+#include "lab/live/light_helpers.hpp"
+#include "lab/live/panel_builder.hpp"
+#include "lab/live/probe_text.hpp"
+#include "lab/live/screen.hpp"
+#include "lab/live/values.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+namespace lab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+class Live final : public Host {
+  public:
+    Live(View& view, const Options& options, Handover& handover)
+        : options_(options), handover_(handover), window_(*handover.window), session_(view, options),
+          commands_(session_, *this, options.lesson), screen_(options, window_) {
+        facts_.program = options.lesson;
+        facts_.slides = slidesOf(options.lesson);
+        window_.setTitle(options.lesson);
+        window_.watch(screen_.shaderFolders());
+    }
+
+    void run() { loop(nullptr); }
+
+  private:
+    // ---- the loop
+
+    // `before`: the lesson before this one, while its picture is shown beside.
+    void loop(View* before) {
+        before_ = before;
+        while (!leave_ && (session_.split == Split::previous) == (before != nullptr)) {
+            if (pictureChanged_ || panelChanged_ > 0)
+                draw();
+            const bool still = !pictureChanged_ && panelChanged_ == 0 && !(moving() && !minimised_);
+            if (still)
+                screen_.prepare(session_);
+            for (const Event& event : window_.events(still))
+                handle(event);
+            step();
+        }
+        before_ = nullptr;
+        if (!leave_ && before == nullptr)
+            showLessonBefore();
+    }
+
+    bool moving() const { return session_.playing || coasting_; }
+
+    // Time goes on.
+    void step() {
+        const Clock::time_point now = Clock::now();
+        const double passed = seconds(now - last_);
+        last_ = now;
+        if (session_.playing)
+            session_.time += std::min(passed, 0.25);  // after a pause, time goes on from where it was
+        coasting_ = coasting_ && session_.view().orbit().coast(passed);
+        if (moving() || screen_.hasNews())
+            pictureChanged_ = true;
+    }
+
+    // The lesson before runs inside of this one's loop, as its guest, for as long as it is shown.
+    void showLessonBefore() {
+        try {
+            const std::string name = neighbour(options_.lesson, -1);
+            facts_.before = name;
+            Handover guest{handover_.window, {}, {}, [this](View& view) { loop(&view); }};
+            runProgram(name, {}, guest);
+        } catch (const UsageError& error) {
+            answer(std::string("error split: ") + error.what());
+            session_.split = Split::off;
+        }
+        pictureChanged_ = true;
+        loop(nullptr);
+    }
+
+    // ---- what happens
+
+    void handle(const Event& event) {
+        panelChanged_ = 2;  // a panel's new size settles in the second
+        switch (event.kind) {
+        case Event::Kind::key:
+            return say(commandOf(event), {});
+        case Event::Kind::command:
+            return say(event.text, {.byHand = true});
+        case Event::Kind::line:
+            return line(event.text);
+        case Event::Kind::drag:
+        case Event::Kind::pan:
+            return orbit(event);
+        case Event::Kind::release:
+            return release();
+        case Event::Kind::wheel:
+            return moveCamera("wheel", [&] { session_.view().orbit().zoom(event.dy); });
+        case Event::Kind::hover:
+            mouse_ = PanelPoint{event.x, event.y};
+            return;
+        case Event::Kind::leave:
+            mouse_.reset();
+            return;
+        case Event::Kind::handle:
+            return dragHandle(event);
+        case Event::Kind::divider:
+            return say("divider " + numbersText({std::clamp(event.x, 0.0, 1.0)}), {.byHand = true});
+        case Event::Kind::file:
+            return fileChanged(event.text);
+        case Event::Kind::redraw:
+            pictureChanged_ |= screen_.sizeChanged();
+            return;
+        case Event::Kind::close:
+            leave_ = true;
+            return;
+        case Event::Kind::endOfLines:
+            return;  // whoever spoke has gone; the window stays
+        }
+    }
+
+    // What a key or the panel says; the answer is told on the panel, and for those who cannot see it.
+    void say(const std::string& command, Said said) {
+        if (command.empty())
+            return;
+        answer(commands_.run(command, said));
+        std::cout << facts_.message.text << std::endl;
+        pictureChanged_ = true;
+        if (command.starts_with("term"))
+            std::cout << equationText(session_.switches.terms, facts_.drawn.shiny) << std::endl;
+    }
+
+    void line(const std::string& text) {
+        const std::string answered = commands_.run(text);
+        if (answered.empty())
+            return;
+        std::cout << answered << std::endl;
+        answer(answered);
+        pictureChanged_ = true;
+    }
+
+    // On the panel "ok" goes without saying, and long answers are for stdout.
+    void answer(const std::string& text) {
+        constexpr std::size_t longest = 200;
+        const bool wrong = text.starts_with("error");
+        facts_.message = {text.starts_with("ok ") ? text.substr(3) : text, wrong ? Tone::wrong : Tone::title};
+        if (facts_.message.text.size() > longest || text.starts_with("probe"))
+            facts_.message.text.clear();
+        facts_.chosenSlider = commands_.chosenSlider();
+    }
+
+    template <class Move>
+    void moveCamera(const std::string& gesture, const Move& move) {
+        const State before = session_.state();
+        move();
+        commands_.changed(before, gesture);
+        pictureChanged_ = true;
+    }
+
+    void orbit(const Event& event) {
+        const bool pans = event.kind == Event::Kind::pan;
+        const Clock::time_point now = Clock::now();
+        const double passed = std::max(seconds(now - lastDrag_), 1e-3);
+        lastDrag_ = now;
+        drag_ = {event.dx / passed, event.dy / passed, pans};
+        coasting_ = false;
+        moveCamera("orbit", [&] {
+            Orbit& orbit = session_.view().orbit();
+            pans ? orbit.pan(event.dx, event.dy) : orbit.rotate(event.dx, event.dy);
+        });
+    }
+
+    void release() {
+        commands_.endGesture();
+        constexpr double stopped = 0.06;  // seconds without a move: held still, then let go
+        if (seconds(Clock::now() - lastDrag_) > stopped)
+            return;
+        session_.view().orbit().fling(drag_.dx, drag_.dy, drag_.pans);
+        coasting_ = true;
+        last_ = Clock::now();
+    }
+
+    void dragHandle(const Event& event) {
+        const std::size_t blank = event.text.find(' ');
+        const int number = std::atoi(event.text.substr(std::min(blank, event.text.size())).c_str());
+        if (number < 1 || number > static_cast<int>(session_.lights().size()))
+            return;
+        session_.chosenLight = number;
+        THREE::Light& light = *session_.lights()[static_cast<std::size_t>(number - 1)];
+        const THREE::Vector3 place = dragLight(light, session_.view().camera(), session_.view().orbit().target(), {event.x, event.y});
+        const char* const field = dynamic_cast<THREE::DirectionalLight*>(&light) != nullptr ? " direction " : " position ";
+        say("light " + std::to_string(number) + field + vectorText(place), {.byHand = true});
+    }
+
+    void fileChanged(const std::string& file) {
+        if (const std::optional<std::string> wrong = screen_.reload(file)) {
+            answer(wrong->empty() ? "ok reload " + file : "error " + *wrong);
+            std::cout.flush();
+            if (!wrong->empty())
+                std::cerr << options_.lesson << ": " << *wrong << std::endl;
+            pictureChanged_ = true;
+        } else if (!options_.sceneFile.empty() && sameFile(file, options_.sceneFile)) {
+            goTo("scene_viewer", {options_.sceneFile});
+        }
+    }
+
+    // ---- Host
+
+    void shot(const std::string& file, int width, int height) override {
+        if (width == 0 && !screen_.size(width, height))
+            throw UsageError("the window has no size now; expected WIDTHxHEIGHT after the file name");
+        screen_.write(session_, before_, file, width, height);
+        pictureChanged_ = true;
+    }
+    SavedState savedState() override {
+        SavedState state{options_.lesson, options_.sceneFile, 960, 600, session_.state()};
+        screen_.size(state.width, state.height);
+        return state;
+    }
+    std::string probe(const std::optional<PanelPoint>& at) override {
+        const std::optional<ProbeReport> report = look(at);
+        if (!report)
+            throw UsageError(at ? "expected a point of the picture" : "no point is pinned; expected X Y, or pin X Y before");
+        return probeText(*report, session_.language);
+    }
+    void pin(const std::optional<PanelPoint>& at) override {
+        const std::optional<PanelPoint> where = at ? at : mouse_;
+        const std::optional<ProbeReport> report = where ? look(where) : std::nullopt;
+        if (!report || !report->point)
+            throw UsageError("expected a point of a surface, found " +
+                             std::string(report ? "the background" : "none; move the mouse there, or say where"));
+        session_.pin = report->point;
+    }
+    std::string lightCost() override { return screen_.lightCost(session_); }
+    std::string places() override {
+        draw();
+        return window_.places();
+    }
+    void fullscreen() override { window_.toggleFullscreen(); }
+    void goTo(const std::string& program, const std::vector<std::string>& arguments) override {
+        checkProgram(program, arguments);
+        handover_.program = program;
+        handover_.arguments = arguments;
+        const auto keep = [this](const std::string& option, const std::string& value) {
+            handover_.arguments.push_back(option + "=" + value);
+        };
+        keep("--lang", session_.language == Language::it ? "it" : "en");
+        keep("--presenter", numbersText({session_.fontSize}));
+        keep("--theme", session_.light ? "light" : "dark");
+        if (!options_.shaders.empty())
+            keep("--shaders", options_.shaders);
+        leave_ = true;
+    }
+    void leave() override { leave_ = true; }
+
+    // ---- drawing
+
+    // The numbers of a place of the picture, or of the pinned point.
+    std::optional<ProbeReport> look(const std::optional<PanelPoint>& at) {
+        int width = 0, height = 0;
+        if (!screen_.size(width, height))
+            return std::nullopt;
+        if (probed_) {
+            session_.update(width, height);
+            prober_.see(session_.view().scene(), session_.view().camera(), session_.settings(), width, height);
+            probed_ = false;
+        }
+        const auto pixel = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
+        std::optional<ProbeReport> report = at            ? prober_.at(pixel(at->x, width), pixel(at->y, height))
+                                            : session_.pin ? prober_.at(*session_.pin)
+                                                           : std::nullopt;
+        if (report && report->pixel)
+            report->drawn = screen_.pixel((*report->pixel)[0], (*report->pixel)[1]);
+        return report;
+    }
+
+    void draw() {
+        minimised_ = !screen_.draw(session_, before_, pictureChanged_);
+        probed_ |= pictureChanged_;
+        pictureChanged_ = false;
+        panelChanged_ = std::max(0, panelChanged_ - 1);
+        if (minimised_)
+            return;
+        if (const std::optional<std::string>& wrong = screen_.problem())
+            answer("error " + *wrong);
+        facts_.drawn = screen_.stats();
+        facts_.legend = screen_.legend(session_);
+        facts_.probe = session_.pin ? look({}) : session_.follow && mouse_ ? look(mouse_) : std::nullopt;
+        window_.show(buildPanel(session_, facts_));
+    }
+
+    struct Drag {
+        double dx = 0, dy = 0;  // heights of the window a second
+        bool pans = false;
+    };
+
+    const Options& options_;
+    Handover& handover_;
+    Window& window_;
+    Session session_;
+    Commands commands_;
+    Screen screen_;
+    Prober prober_;
+    PanelFacts facts_;
+    View* before_ = nullptr;
+    std::optional<PanelPoint> mouse_;
+    bool pictureChanged_ = true, probed_ = true;
+    int panelChanged_ = 2;
+    bool coasting_ = false, minimised_ = false, leave_ = false;
+    Drag drag_;
+    Clock::time_point last_ = Clock::now(), lastDrag_ = Clock::now();
+};
+
+}  // namespace
+
+void runLive(View& view, const Options& options, Handover& handover) { Live(view, options, handover).run(); }
+
+}  // namespace lab

@@ -1,0 +1,64 @@
+// Pictures of a session, into files.
+// SPDX-License-Identifier: MIT
+#include "lab/live/picture.hpp"
+
+#include "image/write.hpp"
+#include "lab/equation.hpp"
+#include "lab/live/programs.hpp"
+#include "lab/switches.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace lab {
+
+bool wantsFloats(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
+}
+
+image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer, const render::FrameRequest& request) {
+    image::Frame whole;
+    for (const Side& side : sides) {
+        image::Frame frame = renderer.render(side.view->scene(), side.view->camera(), side.settings, request);
+        if (side.firstColumn == 0)
+            whole = std::move(frame);
+        else
+            image::copyColumns(frame, side.firstColumn, side.endColumn, whole);
+    }
+    return whole;
+}
+
+image::Metadata metadata(const Session& session, const render::Renderer& renderer, const std::string& program) {
+    image::Metadata all{{"lesson", program},
+                        {"terms", session.switches.terms.text()},
+                        {"equation", equationText(session.switches.terms, renderer.stats().shiny)},
+                        {"renderer", renderer.name()},
+                        {"version", LAMBERT_VERSION}};
+    if (const std::string text = switchesText(session.switches); !text.empty())
+        all.emplace_back("switches", text);
+    if (!session.view().controls().sliders().empty())
+        all.emplace_back("sliders", session.view().controls().text());
+    if (session.mode != lighting::ViewMode::final)
+        all.emplace_back("view", lighting::info(session.mode).name);
+    return all;
+}
+
+void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use) {
+    if (session.split != Split::previous)
+        return use(nullptr);
+    Handover guest{nullptr, {}, {}, [&use](View& view) { use(&view); }};
+    runProgram(neighbour(program, -1), {}, guest);
+}
+
+void follow(Session& session, View* before, int width, int height) {
+    if (before == nullptr)
+        return;
+    before->setCamera(session.view().cameraText());
+    before->update(session.time, width, height);
+}
+
+}  // namespace lab

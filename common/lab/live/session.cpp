@@ -1,0 +1,156 @@
+// What a session is, and its lights.
+// SPDX-License-Identifier: MIT
+#include "lab/live/session.hpp"
+
+#include "lab/failure.hpp"
+#include "lab/live/state_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lab {
+
+Session::Session(View& view, const Options& options)
+    : switches(options.switches), renderer(options.renderer), time(options.time), light(options.lightTheme),
+      fontSize(options.fontSize), language(options.language), view_(view), options_(options) {
+    makeTable();
+    if (!options.state.empty())
+        for (const auto& [name, value] : readState(options.state, options.lesson).controls) {
+            Control* const control = table.find(name);
+            if (control == nullptr || !control->saved)
+                throw UsageError(options.state + ": controls: unknown control '" + name + "'; " +
+                                 options.lesson + " has no such thing to set");
+            try {
+                table.set(*control, value);
+            } catch (const UsageError& error) {
+                throw UsageError(options.state + ": controls: " + error.what());
+            }
+        }
+    start_ = table.state();
+}
+
+void Session::findLights() {
+    lights_.clear();
+    view_.scene().traverse([this](THREE::Object3D& object) {
+        if (auto* const found = dynamic_cast<THREE::Light*>(&object))
+            lights_.push_back(found);
+    });
+}
+
+std::string Session::addedKinds() const {
+    std::string kinds;
+    for (const auto& one : added_)
+        kinds += (kinds.empty() ? "" : ",") + std::string(one->type()).substr(0, std::string(one->type()).size() - 5);
+    std::transform(kinds.begin(), kinds.end(), kinds.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return kinds.empty() ? "none" : kinds;
+}
+
+// A new light stands where it is seen: above the right shoulder of whoever looks.
+int Session::addLight(const std::string& kind) {
+    constexpr std::size_t most = 64;
+    if (lights_.size() >= most)
+        throw UsageError("light add: found " + std::to_string(lights_.size()) +
+                         " lights; expected fewer than " + std::to_string(most) + " to add one by hand");
+    std::unique_ptr<THREE::Light> made;
+    if (kind == "directional")
+        made = std::make_unique<THREE::DirectionalLight>(0xFFFFFF, 0.5);
+    else if (kind == "point")
+        made = std::make_unique<THREE::PointLight>(0xFFFFFF, 0.5);
+    else if (kind == "ambient")
+        made = std::make_unique<THREE::AmbientLight>(0x202020);
+    else
+        throw UsageError("light add: expected directional, point or ambient, found '" + kind + "'");
+    if (kind == "directional")
+        made->position.set(1, 2, 2);
+    else if (kind == "point")
+        made->position = THREE::Vector3(view_.orbit().target()).add({1.5, 2, 1.5});
+    view_.scene().add(*made);
+    added_.push_back(std::move(made));
+    makeTable();
+    chosenLight = static_cast<int>(lights_.size());
+    return chosenLight;
+}
+
+void Session::removeLight(int number) {
+    if (number < 1 || number > static_cast<int>(lights_.size()))
+        throw UsageError("light " + std::to_string(number) + ": expected a light from 1 to " +
+                         std::to_string(lights_.size()));
+    const THREE::Light* const which = lights_[static_cast<std::size_t>(number - 1)];
+    const auto mine = std::find_if(added_.begin(), added_.end(),
+                                   [which](const auto& one) { return one.get() == which; });
+    if (mine == added_.end())
+        throw UsageError("light " + std::to_string(number) +
+                         " is the lesson's own: switch it off instead (light " + std::to_string(number) +
+                         " on off)");
+    view_.overrides.undo();
+    view_.overrides.lights.erase(mine->get());
+    added_.erase(mine);
+    only = 0;
+    makeTable();
+    chosenLight = std::clamp(chosenLight, 1, std::max(1, static_cast<int>(lights_.size())));
+}
+
+// From the first one that is another kind on, they are made anew.
+void Session::setAddedKinds(const std::string& kinds) {
+    std::vector<std::string> wanted;
+    for (std::size_t begin = 0; kinds != "none" && begin <= kinds.size();) {
+        const std::size_t end = std::min(kinds.find(',', begin), kinds.size());
+        wanted.push_back(kinds.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    while (!added_.empty()) {
+        view_.overrides.undo();
+        view_.overrides.lights.erase(added_.back().get());
+        added_.pop_back();
+    }
+    makeTable();
+    const int chosen = chosenLight;
+    for (const std::string& kind : wanted)
+        addLight(kind);
+    chosenLight = std::clamp(chosen, 1, std::max(1, static_cast<int>(lights_.size())));
+    only = std::min(only, static_cast<int>(lights_.size()));
+}
+
+lighting::Settings Session::settings() const {
+    lighting::Settings settings = view_.settings(switches);
+    settings.view = mode;
+    settings.only = only > 0 ? lights_[static_cast<std::size_t>(only - 1)] : nullptr;
+    return settings;
+}
+
+std::vector<Side> Session::sides(int width, View* before) const {
+    View* const here = const_cast<View*>(&view_);
+    const lighting::Settings whole = settings();
+    if (split == Split::off || (split == Split::previous && before == nullptr))
+        return {{here, whole, 0, width}};
+    const int middle = static_cast<int>(std::lround(std::clamp(divider, 0.0, 1.0) * width));
+    std::vector<Side> sides{{here, whole, 0, middle}, {here, whole, middle, width}};
+    if (split == Split::term) {
+        sides[0].settings.terms = switches.terms.without(lastTerm);
+        sides[1].settings.terms = switches.terms.with(lastTerm);
+    } else {
+        sides[0].view = before;
+        sides[0].settings = before->settings(switches);
+        sides[0].settings.view = mode;
+    }
+    std::erase_if(sides, [](const Side& side) { return side.firstColumn >= side.endColumn; });
+    return sides;
+}
+
+void Session::apply(const State& wanted) {
+    const State before = table.state();
+    try {
+        table.apply(wanted, [] {});
+    } catch (const UsageError&) {
+        table.apply(before, [] {});
+        throw;
+    }
+}
+
+void Session::reset() {
+    playing = false;
+    apply(start_);
+}
+
+}  // namespace lab
