@@ -27,7 +27,7 @@ using Vec3 = glm::vec<3, T>;
 /// A directional or a point light. An ambient one is only a colour.
 template <class T>
 struct Light {
-    const THREE::Light* source;  ///< the light of the scene
+    const THREE::Light* source;  ///< which light of the scene it is; its numbers are all in here
     Vec3<T> place;  ///< directional: unit vector towards it; point: position relative to the eye; world space
     Vec3<T> L;  ///< colour x intensity (slide 26)
     T intensity;  ///< what stays when light_color is off

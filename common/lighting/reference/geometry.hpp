@@ -114,7 +114,8 @@ struct Pixels {
 /// A mesh, ready to be drawn.
 template <class T>
 struct Body {
-    const THREE::Mesh* mesh;
+    const THREE::Mesh* mesh;  ///< which one it is; what is drawn is all in here
+    THREE::Side side;  ///< which faces are drawn
     bool lit;
     bool flat;  ///< a normal per triangle
     bool mirrored;  ///< its place turns triangles round
@@ -162,6 +163,7 @@ Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera, const Switches
     place.origin -= camera.origin;
     Body<T> body;
     body.mesh = &mesh;
+    body.side = material.side;
     body.lit = material.isLit();
     body.flat = material.flatShading || switches.shading == Shading::flat || normals == nullptr;
     body.mirrored = place.determinant() < T(0);

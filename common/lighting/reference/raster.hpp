@@ -36,6 +36,11 @@ struct Reference<T>::Edges {
         }
     }
 
+    // Whether a material that draws `side` draws this triangle; edge-on none does.
+    bool drawn(THREE::Side side) const {
+        return volume > T(0) && (side == THREE::DoubleSide || front == (side == THREE::FrontSide));
+    }
+
     // How far r is inside each edge. A ray exactly on an edge belongs to one of the two triangles that share it.
     bool contains(const Vec3<T>& r, Vec3<T>& inside) const {
         for (int i = 0; i < 3; ++i) {
@@ -109,8 +114,7 @@ void Reference<T>::rasterise(std::uint32_t body, std::uint32_t triangle, const P
                              std::vector<Hit>& hits) const {
     const Body<T>& b = bodies_[body];
     const Edges edges(b, triangle);
-    const THREE::Side side = b.mesh->material->side;
-    if (!(edges.volume > T(0)) || (side != THREE::DoubleSide && edges.front != (side == THREE::FrontSide)))
+    if (!edges.drawn(b.side))
         return;
     for (int row = pixels.firstRow; row <= pixels.lastRow; ++row)
         for (int column = pixels.firstColumn; column <= pixels.lastColumn; ++column) {
@@ -140,26 +144,18 @@ std::vector<typename Reference<T>::Hit> Reference<T>::visible(int firstRow, int 
 }
 
 template <class T>
-Surface<T> Reference<T>::surfaceAt(std::size_t body, std::size_t triangle, const Edges& edges,
-                                   const Vec3<T>& inside) const {
+Surface<T> Reference<T>::interpolated(std::size_t body, std::size_t triangle, bool front,
+                                      const Vec3<T>& weights, T depth) const {
     const Body<T>& b = bodies_[body];
     const Vertex<T>& v0 = b.corner(triangle, 0);
     const Vertex<T>& v1 = b.corner(triangle, 1);
     const Vertex<T>& v2 = b.corner(triangle, 2);
-    const T perSum = T(1) / (inside.x + inside.y + inside.z);
-    Surface<T> s{body, triangle, edges.front, inside * perSum, edges.volume * perSum, {}, {}};
-    s.Q = v0.Q * s.weights.x + v1.Q * s.weights.y + v2.Q * s.weights.z;
-    s.n = b.flat ? faceNormal(b, triangle)
-                 : unit<T>(v0.n * s.weights.x + v1.n * s.weights.y + v2.n * s.weights.z);
-    if (b.turnsNormals && !edges.front)
+    Surface<T> s{body, triangle, front, weights, depth, {}, {}};
+    s.Q = v0.Q * weights.x + v1.Q * weights.y + v2.Q * weights.z;
+    s.n = b.flat ? faceNormal(b, triangle) : unit<T>(v0.n * weights.x + v1.n * weights.y + v2.n * weights.z);
+    if (b.turnsNormals && !front)
         s.n = -s.n;
     return s;
-}
-
-template <class T>
-std::optional<Surface<T>> Reference<T>::surface(int x, int y) const {
-    const Hit hit = visible(y, y + 1)[static_cast<std::size_t>(x)];
-    return hit.body == none ? std::nullopt : extended(hit.body, hit.triangle, x, y);
 }
 
 template <class T>
@@ -170,7 +166,8 @@ std::optional<Surface<T>> Reference<T>::extended(std::size_t body, std::size_t t
                          glm::dot(r, edges.plane[2]));
     if (!(edges.volume > T(0)) || !(inside.x + inside.y + inside.z > T(0)))
         return std::nullopt;
-    return surfaceAt(body, triangle, edges, inside);
+    const T perSum = T(1) / (inside.x + inside.y + inside.z);
+    return interpolated(body, triangle, edges.front, inside * perSum, edges.volume * perSum);
 }
 
 template <class T>
@@ -185,22 +182,11 @@ Vec3<T> Reference<T>::shade(const Surface<T>& s) const {
     const Body<T>& b = bodies_[s.body];
     if (!b.lit)
         return b.D;
-    return (switches_.shading == Shading::vertex ? shadeVertices(s) : equation_.lighting(lit(s))) + b.emitted;
-}
-
-// The equation at the three corners, and between them what lies between: Gouraud's shading.
-template <class T>
-Vec3<T> Reference<T>::shadeVertices(const Surface<T>& s) const {
-    const Body<T>& b = bodies_[s.body];
-    Vec3<T> P{T(0)};
-    for (int i = 0; i < 3; ++i) {
-        const Vertex<T>& corner = b.corner(s.triangle, i);
-        Lit<T> at{b.flat ? faceNormal(b, s.triangle) : corner.n, corner.Q, b.D, b.gloss};
-        if (b.turnsNormals && !s.front)
-            at.n = -at.n;
-        P += equation_.lighting(at) * s.weights[i];
-    }
-    return P;
+    if (switches_.shading != Shading::vertex)
+        return equation_.lighting(lit(s)) + b.emitted;
+    // Gouraud's shading: what lies between the corners' P.
+    const std::array<Vec3<T>, 3> P = shadedCorners(s);
+    return P[0] * s.weights[0] + P[1] * s.weights[1] + P[2] * s.weights[2] + b.emitted;
 }
 
 template <class T>
@@ -230,34 +216,6 @@ void Reference<T>::surfaces(const SurfaceSink& sink, const Progress& progress) c
             progress(static_cast<double>(++done) / bands);
         }
     });
-}
-
-template <class T>
-Probe<T> Reference<T>::probe(int x, int y) const {
-    Probe<T> probe;
-    const std::optional<Surface<T>> s = surface(x, y);
-    if (!s) {
-        probe.P = background_;
-        return probe;
-    }
-    const Body<T>& b = bodies_[s->body];
-    probe.mesh = b.mesh;
-    probe.triangle = s->triangle;
-    probe.Q = s->Q + camera_.origin;
-    probe.n = s->n;
-    probe.depth = s->depth;
-    probe.lit = b.lit;
-    if (!b.lit) {
-        probe.P = b.D;
-        return probe;
-    }
-    probe.emitted = b.emitted;
-    probe.ambient = equation_.ambient(equation_.albedo(b.D));
-    const auto keep = [&probe](const Addend<T>& addend) { probe.addends.push_back(addend); };
-    probe.P = equation_.lighting(lit(*s), keep) + b.emitted;
-    if (switches_.shading == Shading::vertex)
-        probe.P = shade(*s);
-    return probe;
 }
 
 template <class T>
@@ -297,3 +255,5 @@ std::vector<std::uint8_t> Reference<T>::edges(double normalJump) const {
 }
 
 }  // namespace lighting::reference
+
+#include "lighting/reference/point.hpp"

@@ -5,6 +5,7 @@
 
 #include "lighting/reference/geometry.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -23,25 +24,44 @@ struct Surface {
         n;  ///< unit normal there, turned towards the side that is seen where the material says so; zero: none
 };
 
-/// Everything about one pixel (the probe of windows and graders). World space.
+/// How the camera sees a point of a surface.
+enum class Sight {
+    visible,
+    hidden,  ///< something is in front of it
+    turnedAway,  ///< its side that the material draws looks the other way
+    outside  ///< not in the picture, or not between near and far
+};
+
+/// Everything about one pixel, or one point of a surface (the probe of windows and graders). World space.
 template <class T>
 struct Probe {
     const THREE::Mesh* mesh = nullptr;  ///< null: the background is seen, and only P counts
     std::size_t triangle = 0;
+    Vec3<T> weights{T(0)};  ///< of the triangle's corners
     Vec3<T> Q{T(0)};  ///< the point
-    Vec3<T> n{T(0)};  ///< unit normal
+    Vec3<T> n{T(0)};  ///< unit normal; zero: none
+    Vec3<T> v{T(0)};  ///< unit vector towards the eye
     T depth{0};  ///< distance along the view direction
+    bool front =
+        true;  ///< the front side is lit; false: the back, with its normal turned where the material says so
+    bool flat = false;  ///< n is the triangle's own
     bool lit = false;  ///< false: an unlit material, P is its colour
+    Vec3<T> D{T(0)};  ///< the material's colour, whether the term is on or not
+    Gloss<T> gloss;  ///< of the highlight; not of unlit materials
     std::vector<Addend<T>>
         addends;  ///< of every directional and point light that is on, directional ones first
     Vec3<T> ambient{T(0)};  ///< D (x) L_A
     Vec3<T> emitted{T(0)};  ///< the material's own light
     Vec3<T> P{T(0)};  ///< the pixel, not clamped
+    /// Per-vertex shading only: the sums at the triangle's corners, without emitted. P is what lies between them, plus emitted, while
+    /// addends and ambient are the point's own.
+    std::optional<std::array<Vec3<T>, 3>> corners;
 };
 
 /// A scene, seen by a camera, in the scalar T: float, double, long double (built into the library), or a wider one.
-/// Positions, quaternions and scales of the scene count, not its matrices. Geometries and lights must stay as they are while
-/// this lives; the scene must be valid (THREE::validate).
+/// Positions, quaternions and scales of the scene count, not its matrices. The constructor copies all that counts: afterwards the
+/// scene may change or go, also while another thread draws, and pointers to its meshes and lights only say which ones they were.
+/// The scene must be valid (THREE::validate).
 template <class T>
 class Reference {
   public:
@@ -64,8 +84,19 @@ class Reference {
 
     /// What the pixel shows; 0,0 is the top left.
     Probe<T> probe(int x, int y) const;
+    /// The equation at a surface, seen or not.
+    Probe<T> probe(const Surface<T>& surface) const;
     /// The nearest surface under the pixel's centre, if there is one.
     std::optional<Surface<T>> surface(int x, int y) const;
+    /// The point of a mesh that has these weights in one of its triangles, on the side that its material draws (of two, the one
+    /// that faces the eye), wherever the camera looks; none where the mesh is not drawn or has no such triangle.
+    std::optional<Surface<T>> surfaceAt(const THREE::Mesh* mesh, std::size_t triangle,
+                                        const Vec3<T>& weights) const;
+    /// Where it is in the picture, in pixels from the top left corner (a pixel's centre is at half numbers), and its depth; none
+    /// beside or behind the eye.
+    std::optional<Vec3<T>> picture(const Surface<T>& surface) const;
+    /// Whether the camera sees it.
+    Sight sight(const Surface<T>& surface) const;
     /// What a triangle, taken as a whole plane, shows at a pixel; none where the plane is behind the eye or edge-on.
     std::optional<Surface<T>> extended(std::size_t body, std::size_t triangle, int x, int y) const;
     /// The equation at a surface, with the emitted light: P of one pixel.
@@ -98,15 +129,16 @@ class Reference {
     std::vector<Hit> visible(int firstRow, int endRow) const;
     void rasterise(std::uint32_t body, std::uint32_t triangle, const Pixels& pixels, int firstRow,
                    std::vector<Hit>& hits) const;
-    Surface<T> surfaceAt(std::size_t body, std::size_t triangle, const Edges& edges,
-                         const Vec3<T>& inside) const;
+    Hit nearest(const Vec3<T>& ray, int x, int y, int margin) const;
+    Surface<T> interpolated(std::size_t body, std::size_t triangle, bool front, const Vec3<T>& weights,
+                            T depth) const;
     void look(const THREE::PerspectiveCamera& camera);
     Pixels pixelsOf(const Body<T>& body, std::size_t triangle) const;
     Vec3<T> ray(int x, int y) const {
         return {columns_[static_cast<std::size_t>(x)], rows_[static_cast<std::size_t>(y)], T(-1)};
     }
     Vec3<T> faceNormal(const Body<T>& body, std::size_t triangle) const;
-    Vec3<T> shadeVertices(const Surface<T>& surface) const;
+    std::array<Vec3<T>, 3> shadedCorners(const Surface<T>& surface) const;
     bool isEdge(const std::vector<Hit>& hits, int x, int y, double normalJump) const;
 
     int width_, height_;
