@@ -55,7 +55,8 @@ struct Handover {
     std::string program;  ///< the lesson to go on with; empty: none, leave
     std::string sceneFile;  ///< scene_viewer's
     std::vector<std::string> options;  ///< what stays as it was: language, font size, theme
-    std::function<void(void* view)> guest;  ///< set: the next program hands its View to this instead of showing it
+    std::function<void(void* view)>
+        guest;  ///< set: the next program hands its View to this instead of showing it
     int programs = 0;  ///< how many are running in this window, one started by the other
 };
 
@@ -75,6 +76,10 @@ class Window {
     virtual void watch(const std::vector<std::string>& folders) = 0;
     virtual void setTitle(const std::string& title) = 0;
     virtual void toggleFullscreen() = 0;
+    /// Where each thing of the panel was drawn last, so that a test knows where to click: its kind, what it says, its centre in
+    /// the window's pixels, one per line: "symbol term cosine 300 52", "widget term ambient 812 240", "group terms 800 90",
+    /// "handle light 2 500 300", "divider 480 330". What is folded away or scrolled out of sight is missing.
+    virtual std::string places() const = 0;
     Handover handover;
 };
 
