@@ -1,73 +1,24 @@
-// Dear ImGui as a plain text drawer: spans in tones, the symbols that are off struck through.
+// Lays the panel's boxes out: equation at the top, readings at the left, widgets at the right, rows and legend at the bottom.
 // SPDX-License-Identifier: MIT
 #include "lab/panel_imgui.hpp"
 
+#include "lab/panel_equation.hpp"
+#include "lab/panel_notes.hpp"
+#include "lab/panel_widgets.hpp"
+
 #include <GLES3/gl3.h>
+#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <filesystem>
-#include <imgui.h>
+#include <cfloat>
+#include <cmath>
+#include <imgui_internal.h>
+#include <utility>
 
 namespace lab {
 
 namespace {
-
-// Debian's fonts-dejavu-core; without it ImGui's own font draws the letters, and question marks for Greek ones.
-constexpr const char* fontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float fontSize = 15;
-constexpr float equationFontSize = 26;
-
-ImVec4 color(Tone tone) {
-    switch (tone) {
-    case Tone::active:
-        return {1.00F, 0.85F, 0.45F, 1};
-    case Tone::idle:
-        return {0.62F, 0.60F, 0.55F, 1};
-    case Tone::off:
-        return {0.55F, 0.55F, 0.58F, 1};
-    case Tone::title:
-        return {0.65F, 0.80F, 1.00F, 1};
-    case Tone::plain:
-        break;
-    }
-    return {0.92F, 0.92F, 0.92F, 1};
-}
-
-void drawSpan(const Span& span) {
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    ImGui::PushStyleColor(ImGuiCol_Text, color(span.tone));
-    ImGui::TextUnformatted(span.text.c_str());
-    ImGui::PopStyleColor();
-    if (span.tone != Tone::off)
-        return;
-    const ImVec2 size = ImGui::GetItemRectSize();
-    const float y = from.y + size.y * 0.55F;
-    ImGui::GetWindowDrawList()->AddLine({from.x, y}, {from.x + size.x, y},
-                                        ImGui::GetColorU32(color(Tone::off)), 2);
-}
-
-void drawLine(const std::vector<Span>& spans) {
-    for (std::size_t i = 0; i < spans.size(); ++i) {
-        if (i > 0)
-            ImGui::SameLine(0, 0);
-        drawSpan(spans[i]);
-    }
-    if (spans.empty())
-        ImGui::NewLine();
-}
-
-// A box of text at `place`; `pivot` is the corner of the box that stands there.
-template <class Content>
-void box(const char* name, ImVec2 place, ImVec2 pivot, const Content& content) {
-    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
-    ImGui::SetNextWindowBgAlpha(0.72F);
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings;
-    ImGui::Begin(name, nullptr, flags);
-    content();
-    ImGui::End();
-}
 
 // ImGui loads libGL by itself and leaves errors on ES contexts that are not ours to report.
 void drainErrors() {
@@ -77,20 +28,13 @@ void drainErrors() {
 
 }  // namespace
 
-PanelDrawer::PanelDrawer(GLFWwindow* window) {
+PanelDrawer::PanelDrawer(GLFWwindow* window) : window_(window) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // nothing is written beside the lesson
-    ImGui::StyleColorsDark();
-    static const ImWchar letters[] = {0x20,   0x17F,  0x370, 0x3FF,
-                                      0x2000, 0x22FF, 0};  // Latin, Greek, signs and operators
-    std::error_code ignored;
-    for (const float size : {fontSize, equationFontSize})
-        if (std::filesystem::exists(fontFile, ignored))
-            io.Fonts->AddFontFromFileTTF(fontFile, size, nullptr, letters);
-        else
-            io.Fonts->AddFontDefault();
-    ImGui_ImplGlfw_InitForOpenGL(window, false);
+    io.ConfigInputTextCursorBlink = false;  // a still window draws nothing
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplGlfw_InitForOpenGL(window, false);  // keys and clipboard; the rest is told by this class
     ImGui_ImplOpenGL3_Init("#version 300 es");
     drainErrors();
 }
@@ -101,63 +45,166 @@ void PanelDrawer::shutDown() {
     ImGui::DestroyContext();
 }
 
-void PanelDrawer::drawBar(const Bar& bar) {
-    constexpr float width = 80, height = 11;
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetTextLineHeight();
-    const float top = from.y + (line - height) / 2;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 edge = ImGui::GetColorU32(color(bar.chosen ? Tone::title : Tone::off));
-    const ImVec2 end{from.x + width, top + height};
-    list.AddRectFilled({from.x, top}, {from.x + width * static_cast<float>(bar.share), end.y}, edge);
-    list.AddRect({from.x, top}, end, edge);
-    bars_.push_back({from.x, from.y, end.x, from.y + line});
-    ImGui::Dummy({width + 8, line});
-    ImGui::SameLine(0, 0);
-    drawLine(bar.text);
+// A box of `content` at `place`; `pivot` is the corner of the box that stands there. It is as large as its content was in the
+// pass before, or as wide as `most` if it is to `fill` it; another pass follows if that has changed. Beyond `most` it scrolls.
+// Returns its size.
+template <class Content>
+ImVec2 PanelDrawer::box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 most, const Content& content,
+                        bool fill) {
+    ImVec2& known = sizes_[name];
+    const ImVec2 pad = ImGui::GetStyle().WindowPadding;
+    const bool scrolls = known.y + 2 * pad.y > most.y;
+    const float bar = scrolls ? ImGui::GetStyle().ScrollbarSize : 0;
+    const float wide = fill ? most.x : known.x + 2 * pad.x + bar;
+    const ImVec2 size{std::ceil(std::clamp(wide, 1.0F, std::max(1.0F, most.x))),
+                      std::ceil(std::clamp(known.y + 2 * pad.y, 1.0F, std::max(1.0F, most.y)))};
+    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
+    ImGui::SetNextWindowSize(size);
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGui::Begin(name, nullptr,
+                 flags | (scrolls ? ImGuiWindowFlags_AlwaysVerticalScrollbar : ImGuiWindowFlags_NoScrollbar));
+    ImGui::BeginGroup();
+    content();
+    ImGui::EndGroup();
+    const ImVec2 now = ImGui::GetItemRectSize();
+    ImGui::End();
+    if ((!fill && std::abs(now.x - known.x) >= 0.5F) || std::abs(now.y - known.y) >= 0.5F)
+        unsettled_ = true;
+    known = now;
+    return size;
 }
 
-int PanelDrawer::barAt(double x, double y) const {
-    const auto holds = [x, y](const Place& p) {
-        return x >= p.left - 4 && x <= p.right + 4 && y >= p.top && y <= p.bottom;
-    };
-    const auto found = std::find_if(bars_.begin(), bars_.end(), holds);
-    return found == bars_.end() ? noBar : static_cast<int>(found - bars_.begin());
-}
-
-double PanelDrawer::shareAt(int bar, double x) const {
-    const Place& p = bars_.at(static_cast<std::size_t>(bar));
-    return std::clamp((x - p.left) / (p.right - p.left), 0.0, 1.0);
+// Lays the panel out once; false: there is nothing to see.
+bool PanelDrawer::pass() {
+    int width = 0, height = 0, pixelsWide = 0, pixelsHigh = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    glfwGetFramebufferSize(window_, &pixelsWide, &pixelsHigh);
+    if (!shown_ || width < 1 || height < 1)
+        return false;
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DisplayFramebufferScale = {static_cast<float>(pixelsWide) / io.DisplaySize.x,
+                                  static_cast<float>(pixelsHigh) / io.DisplaySize.y};
+    const double now = glfwGetTime();
+    io.DeltaTime = static_cast<float>(std::clamp(now - time_, 1e-5, 1.0));
+    time_ = now;
+    unsettled_ = mouseMoved_ = false;
+    ImGui::NewFrame();
+    layOut();
+    ImGui::EndFrame();
+    cursor_ = ImGui::GetMouseCursor();
+    const unsigned hovered = ImGui::GetHoveredID();
+    changed_ = changed_ || io.WantCaptureMouse || hovered != hovered_;
+    hovered_ = hovered;
+    io.MouseWheel = io.MouseWheelH = 0;
+    return true;
 }
 
 void PanelDrawer::draw(const Panel& panel) {
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
-    box("equation", {10, 10}, {0, 0}, [&panel] {
-        ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
-        drawLine(panel.equation);
-        ImGui::PopFont();
-        if (!panel.message.empty())
-            drawSpan({panel.message, Tone::title});
-    });
-    const float bottom = ImGui::GetIO().DisplaySize.y - 10;
-    if (!panel.rows.empty())
-        box("legend", {10, bottom}, {0, 1}, [&panel] {
-            for (const std::vector<Span>& row : panel.rows)
-                drawLine(row);
-        });
-    bars_.clear();
-    if (!panel.bars.empty() || !panel.readings.empty())
-        box("controls", {ImGui::GetIO().DisplaySize.x - 10, bottom}, {1, 1}, [this, &panel] {
-            for (const Bar& bar : panel.bars)
-                drawBar(bar);
-            for (const std::vector<Span>& reading : panel.readings)
-                drawLine(reading);
-        });
+    panel_ = panel;
+    shown_ = true;
+    int width = 0, pixelsWide = 0;
+    glfwGetWindowSize(window_, &width, nullptr);
+    glfwGetFramebufferSize(window_, &pixelsWide, nullptr);
+    float scale = 1;
+    glfwGetWindowContentScale(window_, &scale, nullptr);
+    if (width < 1 || pixelsWide < 1)
+        return;
+    look_.prepare(panel_, scale, static_cast<float>(pixelsWide) / static_cast<float>(width));
+    constexpr int mostPasses = 4;
+    for (int i = 0; i < mostPasses && pass() && unsettled_; ++i) {
+    }
+    changed_ = false;
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     drainErrors();
+}
+
+// The column of widgets at the right.
+void PanelDrawer::column(Brush& brush, float top, float width) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float gap = look_.gap();
+    box(
+        "widgets", {window.x - gap, top}, {1, 0}, {width, window.y - top - gap},
+        [this, &brush] {
+            for (WidgetGroup& group : panel_.groups)
+                drawGroup(brush, group);
+        },
+        true);
+}
+
+// Message, probe and curves, below the equation.
+ImVec2 PanelDrawer::readings(float top, float right, float most) {
+    const float gap = look_.gap(), room = right - gap;
+    const float inside = room - 2 * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize;
+    return box("readings", {gap, top}, {0, 0}, {room, most}, [&] {
+        if (!panel_.message.empty())
+            flow(look_, panel_.message, inside);
+        if (!panel_.probe.empty())
+            drawTable(look_, panel_.probe, inside);
+        if (!panel_.curves.empty())
+            drawCurves(look_, panel_.curves, inside);
+    });
+}
+
+// Rows in the lower left corner, and the legend beside them or, where that is too narrow, above.
+void PanelDrawer::below(float right, float most, float rowsMost) {
+    const float gap = look_.gap(), room = right - gap;
+    const float bottom = ImGui::GetIO().DisplaySize.y - gap;
+    const float inside = room - 2 * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize;
+    ImVec2 rows{0, 0};
+    if (!panel_.rows.empty())
+        rows =
+            box("rows", {gap, bottom}, {0, 1}, {room, rowsMost}, [&] { flow(look_, panel_.rows, inside); });
+    if (!panel_.legend)
+        return;
+    const float wide = sizes_["legend"].x + 2 * ImGui::GetStyle().WindowPadding.x;
+    const bool beside = rows.y <= 0 || gap + rows.x + gap + wide <= right;
+    box("legend", {right, beside ? bottom : bottom - rows.y - gap}, {1, 1}, {room, most * 0.5F},
+        [&] { drawLegend(look_, *panel_.legend, std::min(inside, look_.em() * 20)); });
+}
+
+void PanelDrawer::layOut() {
+    if (std::exchange(closing_, false))
+        ImGui::ClosePopupToLevel(0, true);
+    Brush brush{look_, {}, {}};
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float gap = look_.gap();
+    const float wide = window.x - 2 * gap;
+    const float columnWide =
+        panel_.groups.empty() ? 0 : std::floor(std::min(look_.em() * 19, window.x * 0.34F));
+    const float columnLeft = columnWide > 0 ? window.x - gap - columnWide : window.x;
+    const float right = columnLeft - gap;
+    float top = gap, columnTop = gap;
+    if (!panel_.equation.empty()) {
+        const float inner = wide - 2 * ImGui::GetStyle().WindowPadding.x;
+        const ImVec2 size = box("equation", {gap, gap}, {0, 0}, {wide, window.y * 0.6F},
+                                [&] { drawEquation(brush, panel_, inner); });
+        top += size.y + gap;
+        columnTop = gap + size.x > right ? top : gap;
+    }
+    free_ = {top - gap, window.y, 0, top - gap, columnLeft};
+    const float most = window.y - top - gap;
+    const float lines =
+        panel_.rows.empty() ? 0 : sizes_["rows"].y + 2 * ImGui::GetStyle().WindowPadding.y + gap;
+    const bool reads = !panel_.message.empty() || !panel_.probe.empty() || !panel_.curves.empty();
+    const float readingsMost = std::max(most * 0.6F, most - lines);
+    float used = 0;
+    if (reads) {
+        const ImVec2 size = readings(top, right, readingsMost);
+        used = size.y + gap;
+        free_.left = gap + size.x;
+        free_.below = top + size.y;
+    }
+    below(right, most, most - used);
+    if (columnWide > 0)
+        column(brush, columnTop, columnWide);
+    drawOverlay(brush, panel_, free_, grab_);
+    said_.insert(said_.end(), brush.said.begin(), brush.said.end());
+    places_ = std::move(brush.places);
 }
 
 }  // namespace lab

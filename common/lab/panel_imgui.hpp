@@ -2,33 +2,88 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/panel_overlay.hpp"
+#include "lab/panel_text.hpp"
 #include "lab/window.hpp"
+
+#include <map>
 
 struct GLFWwindow;
 
 namespace lab {
 
-inline constexpr int noBar = -1;
-
-/// Draws a Panel over the frame in the corner of a window.
+/// Draws a Panel over the frame of a window, and answers the mouse and the keys where they concern it.
+///
+/// What ImGui is told of the mouse is worked off at once, by a pass that lays the last panel out again and draws nothing: so each
+/// press meets the widgets where they are, however slowly the program draws.
 class PanelDrawer {
   public:
     explicit PanelDrawer(GLFWwindow* window);
+    /// Draws it; the window's context is current and its framebuffer bound.
     void draw(const Panel& panel);
-    /// The number of the panel's bar at a place in the window, as it was last drawn, or noBar.
-    int barAt(double x, double y) const;
-    /// The share of that bar which lies left of x, 0 to 1.
-    double shareAt(int bar, double x) const;
     /// Before the window's context goes.
     void shutDown();
 
-  private:
-    struct Place {
-        float left, top, right, bottom;
-    };
-    void drawBar(const Bar& bar);
+    /// The mouse is at a place of the window; or nowhere, as long as it moves the picture.
+    void mouseAt(double x, double y);
+    void mouseAway();
+    /// Before the others of this kind, where a key is held.
+    void modifiers(bool shift, bool control);
+    void button(int button, bool pressed);
+    void wheel(double dx, double dy);
+    void key(int glfwKey, int scancode, int action, int modifiers);
+    void character(unsigned code);
+    /// Works off what the mouse did.
+    void settle();
 
-    std::vector<Place> bars_;  // where they were drawn, window coordinates
+    bool takesMouse() const;  ///< as settled: it is over a box, or a popup is open
+    bool takesText() const;  ///< a field is being typed into
+    /// Closes what is open over the panel; false: nothing was.
+    bool closePopup();
+    /// What the mouse would take hold of on the picture; draw() shows it until the next.
+    Grab grabAt(double x, double y) const;
+    void showGrab(const Grab& grab);
+    /// The places of the picture that a divider can be dragged to, 0 to 1.
+    double dividerShare(double x) const;
+
+    /// What widgets and symbols have said since the last call.
+    std::vector<std::string> takeCommands();
+    /// Whether the panel looks different now although the program did nothing.
+    bool takeChanged();
+    /// The cursor that fits where the mouse is, as ImGuiMouseCursor.
+    int cursor() const { return cursor_; }
+
+    /// Where each thing was drawn last, its centre, in the window's pixels, one per line: "symbol term cosine 300 52",
+    /// "widget term ambient 812 240", "group terms 800 90", "handle light 2 500 300", "divider 480 330". What is scrolled out of
+    /// sight or folded away is missing.
+    std::string placesText() const;
+
+  private:
+    template <class Content>
+    ImVec2 box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 most, const Content& content,
+               bool fill = false);
+    bool pass();
+    void layOut();
+    void column(Brush& brush, float top, float width);
+    ImVec2 readings(float top, float right, float most);
+    void below(float right, float most, float rowsMost);
+
+    GLFWwindow* window_;
+    Look look_;
+    Panel panel_;  // the last one, with what the user did to it since
+    bool shown_ = false;  // there was one
+    Free free_{};
+    Grab grab_;
+    std::map<std::string, ImVec2> sizes_;  // of each box's content, as last laid out
+    bool unsettled_ = false;  // one of them has changed
+    bool mouseMoved_ = false;
+    bool changed_ = false;
+    bool closing_ = false;
+    int cursor_ = 0;
+    unsigned hovered_ = 0;
+    double time_ = 0;
+    std::vector<std::string> said_;
+    std::vector<Brush::Place> places_;
 };
 
 }  // namespace lab

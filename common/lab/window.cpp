@@ -8,7 +8,7 @@
 
 namespace lab {
 
-std::unique_ptr<Window> openWindow(int width, int height, const std::string& title, std::string& reason) {
+std::shared_ptr<Window> openWindow(int width, int height, const std::string& title, std::string& reason) {
     const auto set = [](const char* name) {
         const char* value = std::getenv(name);
         return value != nullptr && *value != '\0';
@@ -21,7 +21,9 @@ std::unique_ptr<Window> openWindow(int width, int height, const std::string& tit
     if (entry == nullptr)
         return nullptr;
     const auto open = reinterpret_cast<OpenWindowFunction>(entry);
-    return std::unique_ptr<Window>(open(width, height, title.c_str(), reason));
+    std::shared_ptr<Window> window;
+    open(width, height, title.c_str(), window, reason);
+    return window;
 }
 
 }  // namespace lab

@@ -65,7 +65,9 @@ class Window {
     virtual void watch(const std::vector<std::string>& folders) = 0;
     virtual void setTitle(const std::string& title) = 0;
     virtual void toggleFullscreen() = 0;
-    /// Where symbols, widgets, handles and the divider were drawn last: a line each, "widget term ambient 812 240", centres in pixels.
+    /// Where each thing of the panel was drawn last, so that a test knows where to click: its kind, what it says, its centre in
+    /// the window's pixels, one per line: "symbol term cosine 300 52", "widget term ambient 812 240", "group terms 800 90",
+    /// "handle light 2 500 300", "divider 480 330". What is folded away or scrolled out of sight is missing.
     virtual std::string places() const = 0;
 };
 
