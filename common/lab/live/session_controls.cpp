@@ -3,6 +3,7 @@
 #include "lab/live/session.hpp"
 
 #include "lab/failure.hpp"
+#include "lab/live/pin.hpp"
 #include "lab/live/values.hpp"
 #include "lab/number.hpp"
 #include "lab/switches.hpp"
@@ -89,8 +90,12 @@ void Session::addHiddenControls() {
                .reset = [] {}});
     table.addNumber("divider", "", {"dove sta il divisorio, 0 ... 1", "where the divider stands, 0 ... 1"}, 0, 1, divider,
                     0.5);
-    const int count = std::max(1, static_cast<int>(lights_.size()));
-    table.addNumber("chosen light", "", {"la luce scelta", "the chosen light"}, 1, count, chosenLight, 1);
+    std::vector<ControlChoice> numbers;
+    for (std::size_t i = 1; i <= std::max<std::size_t>(lights_.size(), 1); ++i)
+        numbers.push_back({std::to_string(i), {}});
+    table.addChoice(
+        "chosen light", "", {"la luce scelta", "the chosen light"}, std::move(numbers), [this] { return chosenLight - 1; },
+        [this](int i) { chosenLight = i + 1; }, 0);
 }
 
 void Session::addPictureControls() {
