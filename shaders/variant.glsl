@@ -48,11 +48,13 @@ float facing()
 #endif
 }
 
+#include "present.glsl"
+
 // A sum beyond the largest float is stored as the largest float.
 void write_pixel(vec3 P)
 {
     watch(P);
-    pixel = vec4(clamp(P, -3.4028234e38, 3.4028234e38), 1.0);
+    pixel = vec4(present(clamp(P, -3.4028234e38, 3.4028234e38)), 1.0);
 #if COUNT_NONFINITE
     nonfinite = vec4(met_nonfinite ? 1.0 : 0.0);
 #endif

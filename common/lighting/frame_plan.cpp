@@ -30,6 +30,12 @@ glm::dvec3 snapToGrid(const glm::dvec3& p, double scale) {
 
 glm::dvec3 toVec(const THREE::Color& c) { return {c.r, c.g, c.b}; }
 
+// Whether a view is P, shown in another way.
+bool presents(ViewMode view) {
+    return view == ViewMode::red || view == ViewMode::green || view == ViewMode::blue ||
+           view == ViewMode::overexposed;
+}
+
 bool isZero(const glm::dvec3& v) { return v == glm::dvec3(0); }
 
 // World units in a frame unit. Where the view is about as large as a room, a town or a hand, that is 1; where it is so small or
@@ -95,7 +101,9 @@ glm::dmat3 withoutInverseTranspose(const glm::dmat3& model) {
 class Planner {
   public:
     Planner(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, const Settings& settings)
-        : settings_(settings) {
+        : settings_(settings), data_(isData(settings.view)) {
+        plan_.view = settings.view;
+        plan_.background = backgroundFor(settings.view, {0, 0, 0});
         plan_.anchor = snapToGrid(settings.focus, settings.focusDistance);
         plan_.unit = frameUnit(scene, settings, plan_.anchor);
         // The camera itself keeps its size, so that view space is world units turned into frame units, and near and far are.
@@ -114,7 +122,7 @@ class Planner {
 
     FramePlan run(const THREE::Scene& scene) {
         if (scene.background)
-            plan_.background = toVec(*scene.background);
+            plan_.background = backgroundFor(settings_.view, toVec(*scene.background));
         scene.traverseVisible([this](const THREE::Object3D& object) {
             if (const auto* light = dynamic_cast<const THREE::Light*>(&object))
                 addLight(*light);
@@ -154,13 +162,17 @@ class Planner {
     }
 
     void addLight(const THREE::Light& light) {
-        const glm::dvec3 color = toVec(light.radiance());
+        if ((settings_.only != nullptr || data_) && settings_.only != &light)
+            return;
+        glm::dvec3 color = toVec(light.radiance());
         const Term term = dynamic_cast<const THREE::AmbientLight*>(&light) != nullptr ? Term::ambient
                           : dynamic_cast<const THREE::PointLight*>(&light) != nullptr ? Term::point
                                                                                       : Term::directional;
         plan_.lightColorMatters |=
             term != Term::ambient && light.intensity != 0 && color != glm::dvec3(light.intensity);
-        const Text dark = whyDark(light, term);
+        if (term == Term::ambient && settings_.view == ViewMode::exaggerated)
+            color *= exaggeration;
+        const Text dark = data_ ? Text{} : whyDark(light, term);
         if (settings_.skip && dark.en != nullptr)
             return skipLight(light, dark);
         ++plan_.lightsUsed;
@@ -187,8 +199,10 @@ class Planner {
             PointAddend addend{position, color, light.intensity, point->decay, point->distance,
                                0,        dark,  &light};
             const bool attenuated = settings_.terms.has(Term::attenuation);
-            fitToFloats(addend, plan_.unit, attenuated);
-            if (attenuated && addend.distance > 0)
+            fitToFloats(addend, plan_.unit, attenuated && !data_);
+            if (data_ && attenuated && plan_.unit != 1)
+                addend.exponent = -addend.decay * std::log2(plan_.unit);  // f and L by themselves
+            if (attenuated && addend.distance > 0 && !data_)
                 addend.reach = addend.distance;
             addend.position = toLighting_ * glm::dvec4(addend.position, 1);
             plan_.point.push_back(addend);
@@ -226,12 +240,17 @@ class Planner {
             draw.model = toLighting_ * draw.model;
             draw.normalMatrix = glm::dmat3(toLighting_) * draw.normalMatrix;
         }
-        draw.albedo = toVec(material.color);
-        draw.emitted = toVec(material.emitted());
+        const bool lit = material.isLit(), black = lit && settings_.view == ViewMode::specular;
+        draw.albedo = black ? glm::dvec3(0) : toVec(material.color);
+        draw.emitted = lit && isAddend(settings_.view) ? glm::dvec3(0) : toVec(material.emitted());
         draw.flat = material.flatShading || settings_.shading == Shading::flat ||
                     geometry.getAttribute("normal") == nullptr;
         draw.variant.countNonfinite = settings_.countNonfinite;
-        if (material.isLit())
+        if (presents(settings_.view))
+            draw.variant.view = settings_.view;
+        if (data_)
+            showData(draw, range);
+        else if (lit)
             light(draw, range);
         showSides(draw);
         plan_.draws.push_back(draw);
@@ -262,6 +281,24 @@ class Planner {
         plan_.litMeshes = true;
         plan_.shiny |= shiny;
         plan_.emissive |= draw.variant.emissive;
+        plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
+    }
+
+    // What a data view makes of a draw; its light comes later (distributeLights).
+    void showData(Draw& draw, const FloatRange& range) {
+        draw.emitted = glm::dvec3(0);
+        const bool lit = draw.mesh->material->isLit();
+        plan_.litMeshes |= lit;
+        if (!lit || (info(settings_.view).needsLight && plan_.directional.empty() && plan_.point.empty())) {
+            draw.albedo = noValue;
+            return;
+        }
+        draw.variant.lit = true;
+        draw.variant.view = settings_.view;
+        draw.variant.terms =
+            settings_.terms.without(Term::directional).without(Term::point).bits();  // these make no factor
+        draw.variant.doubleSided = draw.mesh->material->side != THREE::FrontSide;
+        draw.variant.scaled = draw.reach > 0x1p40 * near_ || range.leftBy(draw);
         plan_.albedoNotWhite |= draw.albedo != glm::dvec3(1);
     }
 
@@ -310,6 +347,7 @@ class Planner {
     }
 
     const Settings& settings_;
+    const bool data_;  // a factor is shown, not P
     FramePlan plan_;
     glm::dmat4 view_;
     glm::dmat4 projection_;
@@ -322,7 +360,8 @@ class Planner {
 
 FramePlan planFrame(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                     const Settings& settings) {
-    return Planner(scene, camera, settings).run(scene);
+    const Settings wanted = settingsFor(scene, settings);
+    return Planner(scene, camera, wanted).run(scene);
 }
 
 }  // namespace lighting

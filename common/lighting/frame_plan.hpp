@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lighting/terms.hpp"
+#include "lighting/views.hpp"
 #include "three/lights.hpp"
 #include "three/scene.hpp"
 
@@ -29,6 +30,9 @@ struct Settings : Switches {
     int uniformLights = 256;  ///< more lights than this are in a texture
     glm::dvec3 focus{0};  ///< the point that the camera orbits, world space: the anchor is near it
     double focusDistance = 1;  ///< from the camera to the focus, world units, > 0
+    ViewMode view = ViewMode::final;  ///< what the frame shows
+    /// The picture as if this light alone were there; null: all lights. Compared with those of the scene, never followed.
+    const THREE::Light* only = nullptr;
 };
 
 /// An addend of the sum whose direction is the same everywhere (slides 29-30).
@@ -97,6 +101,9 @@ struct Variant {
     /// Exponents that lights of clusters have, which are not counted above (lighting/light_clusters.hpp): bits 0 to 3 for k = 0, 1, 2,
     /// others.
     unsigned clustered = 0;
+    /// What its pixels show where that is neither P nor P with other lights: the data views (isData), where `terms` are those that the view
+    /// shows; red, green, blue and overexposed. `final` in all others.
+    ViewMode view = ViewMode::final;
     bool longLoops = false;  ///< so many lights that a driver might end a loop over them early
 
     int point() const { return decay0 + decay1 + decay2 + decayOther; }
@@ -163,6 +170,7 @@ struct FramePlan {
     glm::dmat4 lightingToView{1.0};  ///< lighting space to view space, both in frame units
     glm::dmat4 projection{1.0};  ///< view space to clip space
     double near = 0;  ///< the near plane's depth, frame units
+    ViewMode view = ViewMode::final;  ///< what the frame shows: Settings::view
     bool litMeshes = false;  ///< some drawn material is lit
     bool emissive = false;  ///< some lit material gives off light of its own
     bool shiny = false;  ///< some drawn material has a highlight

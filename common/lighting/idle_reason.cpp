@@ -7,6 +7,8 @@
 namespace lighting {
 
 Text idleReason(Term term, const FramePlan& plan) {
+    if (hides(plan.view, term))
+        return {"questa vista non lo mostra", "this view does not show it"};
     const std::size_t addends = plan.directional.size() + plan.point.size();
     const bool dark = addends == 0 && plan.ambient == glm::dvec3(0);
     if (!plan.litMeshes)
@@ -25,7 +27,7 @@ Text idleReason(Term term, const FramePlan& plan) {
     case Term::clamp:
         if (addends == 0)
             return {"nessuna luce con una direzione", "no light with a direction"};
-        if (addends == 1 && plan.ambient == glm::dvec3(0) && !plan.emissive)
+        if (!isData(plan.view) && addends == 1 && plan.ambient == glm::dvec3(0) && !plan.emissive)
             return {"una sola luce: il negativo è già nero", "one light: negative is black anyway"};
         break;
     case Term::lightColor:

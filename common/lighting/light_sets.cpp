@@ -25,7 +25,7 @@ constexpr std::size_t mostTurns =
 // Whether every pixel of the draw is 0 whatever light there is.
 bool isBlack(const Draw& draw) {
     return draw.variant.has(Term::albedo) && draw.albedo == glm::dvec3(0) &&
-           !draw.variant.has(Term::specular);
+           !draw.variant.has(Term::specular) && !isData(draw.variant.view);
 }
 
 class Distribution {
@@ -51,7 +51,9 @@ class Distribution {
         if (settings_.lightCut > 0)
             countCut();
         for (Draw& draw : plan_.draws)
-            if (draw.variant.lit) {
+            if (isData(draw.variant.view)) {
+                finishData(draw);
+            } else if (draw.variant.lit) {
                 finish(draw);
                 flatten(draw);
             }
@@ -209,6 +211,17 @@ class Distribution {
             dropIdle(v);
     }
 
+    // The one light of a data view; its exponent is a number like others, so that one program does for all.
+    void finishData(Draw& draw) const {
+        Variant& v = draw.variant;
+        if (!info(v.view).needsLight)
+            return;
+        v.directional = static_cast<int>(plan_.directional.size());
+        v.decayOther = static_cast<int>(plan_.point.size());
+        v.window = v.view == ViewMode::attenuation && v.decayOther > 0 && plan_.point[0].distance > 0;
+        v.storage = storage_;
+    }
+
     // A mesh without a light that has a direction is one colour, and needs no equation at its pixels: what it gives off, or
     // what it reflects of ambient light, in the shader's own roundings. With both, the shader adds them.
     void flatten(Draw& draw) const {
@@ -223,6 +236,7 @@ class Distribution {
         draw.albedo = glm::dvec3(color);
         draw.variant = Variant{};
         draw.variant.countNonfinite = v.countNonfinite;
+        draw.variant.view = v.view;
     }
 
     static void dropIdle(Variant& v) {

@@ -198,6 +198,8 @@ Program Programs::build(const lighting::Variant& wanted, const LightNumbers& lig
 ShaderFiles shaderFiles(const lighting::Variant& variant) {
     if (!variant.lit)
         return {"mesh.vert", "unlit.frag"};
+    if (lighting::isData(variant.view))
+        return {"mesh.vert", "view.frag"};
     return variant.perVertex ? ShaderFiles{"gouraud.vert", "gouraud.frag"}
                              : ShaderFiles{"mesh.vert", "mesh.frag"};
 }

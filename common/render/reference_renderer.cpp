@@ -12,7 +12,8 @@ image::Frame ReferenceRenderer::render(const THREE::Scene& scene, const THREE::P
                                        const lighting::Settings& settings, const FrameRequest& request) {
     using lighting::reference::Reference;
     using lighting::reference::Vec3;
-    const Reference<double> reference(scene, camera, settings, request.width, request.height);
+    const Reference<double> reference(scene, camera, settings, request.width, request.height,
+                                      {settings.view, settings.only});
     image::Floats floats(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) *
                          3);
     std::atomic<long long> nonfinite = 0;

@@ -6,7 +6,8 @@
 
 namespace render {
 
-/// Draws with lighting::reference::Reference<double>. Of the settings only the switches count: nothing is skipped.
+/// Draws with lighting::reference::Reference<double>. Of the settings only the switches, the view and `only` count:
+/// nothing is skipped.
 class ReferenceRenderer final : public Renderer {
   public:
     /// `progress` is told how far each frame is.

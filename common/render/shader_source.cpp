@@ -177,6 +177,16 @@ std::string lightConstants(const LightNumbers& lights) {
 
 }  // namespace
 
+namespace {
+
+std::string upperCase(std::string name) {
+    for (char& c : name)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return name;
+}
+
+}  // namespace
+
 std::string preamble(const lighting::Variant& v, const LightNumbers& lights, bool fragment) {
     using lighting::LightStorage;
     std::ostringstream out;
@@ -187,10 +197,21 @@ std::string preamble(const lighting::Variant& v, const LightNumbers& lights, boo
     };
     define("DOUBLE_SIDED", v.doubleSided);
     define("COUNT_NONFINITE", v.countNonfinite);
+    using lighting::ViewMode;
+    define("SHOW_CHANNEL", v.view == ViewMode::red     ? 1
+                           : v.view == ViewMode::green ? 2
+                           : v.view == ViewMode::blue  ? 3
+                                                       : 0);
+    define("MARK_OVEREXPOSED", v.view == ViewMode::overexposed);
     if (!v.lit)
         return out.str();
     for (const lighting::TermInfo& row : lighting::terms())
         define(row.define, v.has(row.term));
+    for (const lighting::ViewInfo& row : lighting::views())
+        if (lighting::isData(v.view) && lighting::isData(row.view))
+            define(("VIEW_" + upperCase(row.name)).c_str(), static_cast<int>(row.view));
+    if (lighting::isData(v.view))
+        define("VIEW", static_cast<int>(v.view));
     define("EMISSIVE", v.emissive);
     define("WINDOW", v.window);
     define("SCALED", v.scaled);

@@ -44,6 +44,7 @@ class Float {
     friend Float operator/(Float a, Float b) { return a.value_ / b.value_; }
     friend bool operator<(Float a, Float b) { return a.value_ < b.value_; }
     friend bool operator>(Float a, Float b) { return a.value_ > b.value_; }
+    friend bool operator>=(Float a, Float b) { return a.value_ >= b.value_; }
     friend bool operator==(Float a, Float b) { return a.value_ == b.value_; }
 
   private:
@@ -58,6 +59,7 @@ inline Float clamp(Float x, Float low, Float high) { return min(max(x, low), hig
 inline int clamp(int x, int low, int high) { return x < low ? low : high < x ? high : x; }
 inline Float abs(Float x) { return std::fabs(x.value()); }
 inline Float floor(Float x) { return std::floor(x.value()); }
+inline Float mod(Float x, Float y) { return x - y * floor(x / y); }
 inline Float sqrt(Float x) { return std::sqrt(x.value()); }
 inline Float pow(Float x, Float y) { return std::pow(x.value(), y.value()); }
 inline Float exp(Float x) { return std::exp(x.value()); }
@@ -113,6 +115,8 @@ inline Float dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline vec3 clamp(vec3 v, Float low, Float high) {
     return {clamp(v.x, low, high), clamp(v.y, low, high), clamp(v.z, low, high)};
 }
+
+inline vec3 mix(vec3 a, vec3 b, Float share) { return a * (1.0 - share) + b * share; }
 
 // Matrices are columns; a product sums the columns from the left, as Mesa does.
 struct mat3 {

@@ -22,12 +22,14 @@ struct VariantConstants {
     int NUM_DIRECTIONAL_LIGHTS = 0, NUM_POINT_LIGHTS = 0;
     int END_DECAY_0 = 0, END_DECAY_1 = 0, END_DECAY_2 = 0;
     bool BLINN = false;
+    int VIEW = 0;
 };
 struct VertexBuiltins : VariantConstants {
     vec4 gl_Position;
 };
 struct FragmentBuiltins : VariantConstants {
     bool gl_FrontFacing = true;
+    vec4 gl_FragCoord;
 };
 
 // What makes GLSL valid C++, for the includes below only.
@@ -50,6 +52,8 @@ struct FragmentBuiltins : VariantConstants {
 
 #define DOUBLE_SIDED 1
 #define COUNT_NONFINITE 1
+#define SHOW_CHANNEL 0
+#define MARK_OVEREXPOSED 0
 #define WINDOW 1
 #define LIGHTS_IN_TEXTURE 1
 #define CLUSTERED 0
@@ -96,6 +100,38 @@ struct ScaledFragment : FragmentBuiltins {
 };
 struct ScaledGouraudFragment : FragmentBuiltins {
 #include "../../shaders/gouraud.frag"
+};
+
+#undef SCALED
+
+#define VIEW_ALBEDO 1
+#define VIEW_COSINE 2
+#define VIEW_CLAMP 3
+#define VIEW_LIGHT_COLOR 4
+#define VIEW_ATTENUATION 5
+#define VIEW_NORMALS 13
+#define VIEW_W 14
+#define VIEW_BANDS 15
+#define SCALED 0
+struct PlainView : FragmentBuiltins {
+#include "../../shaders/view.frag"
+};
+#undef SCALED
+#define SCALED 1
+struct ScaledView : FragmentBuiltins {
+#include "../../shaders/view.frag"
+};
+#undef SHOW_CHANNEL
+#undef MARK_OVEREXPOSED
+#define SHOW_CHANNEL 2
+struct GreenFragment : FragmentBuiltins {
+#include "../../shaders/unlit.frag"
+};
+#undef SHOW_CHANNEL
+#define SHOW_CHANNEL 0
+#define MARK_OVEREXPOSED 1
+struct OverexposedFragment : FragmentBuiltins {
+#include "../../shaders/unlit.frag"
 };
 
 #undef float
@@ -186,6 +222,32 @@ StrictFragment run(const lighting::FramePlan& plan, const lighting::Draw& draw, 
 }
 
 template <class Stage>
+StrictFragment runView(const lighting::FramePlan& plan, const lighting::Draw& draw, const glm::vec3& position,
+                       const glm::vec3& normal, const glm::vec2& place) {
+    Stage stage;
+    stage.VIEW = static_cast<int>(draw.variant.view);
+    stage.NUM_DIRECTIONAL_LIGHTS = draw.variant.directional;
+    stage.NUM_POINT_LIGHTS = draw.variant.point();
+    stage.lightData = packLights(plan);
+    stage.lightData.texels.resize(std::max<std::size_t>(stage.lightData.texels.size(), 3));  // a uniform is 0
+    stage.baseColor = in3(glm::vec3(draw.albedo));
+    stage.gl_FragCoord = vec4(place.x, place.y, 0, 1);
+    stage.worldPosition = in3(position);
+    stage.worldNormal = in3(normal);
+    stage.main();
+    return {out3(stage.pixel.rgb()), stage.nonfinite.r > 0};
+}
+
+template <class Stage>
+glm::vec3 runUnlit(const glm::vec3& color, const glm::vec2& place) {
+    Stage stage;
+    stage.gl_FragCoord = vec4(place.x, place.y, 0, 1);
+    stage.baseColor = in3(color);
+    stage.main();
+    return out3(stage.pixel.rgb());
+}
+
+template <class Stage>
 StrictGouraudVertex runGouraud(const lighting::FramePlan& plan, const lighting::Draw& draw,
                                const glm::dvec3& position, const glm::dvec3& normal) {
     Stage stage;
@@ -225,6 +287,20 @@ StrictFragment strictFragment(const lighting::FramePlan& plan, const lighting::D
     return draw.variant.scaled
                ? glsl::run<glsl::ScaledFragment>(plan, draw, worldPosition, worldNormal, front)
                : glsl::run<glsl::PlainFragment>(plan, draw, worldPosition, worldNormal, front);
+}
+
+StrictFragment strictView(const lighting::FramePlan& plan, const lighting::Draw& draw,
+                          const glm::vec3& worldPosition, const glm::vec3& worldNormal,
+                          const glm::vec2& place) {
+    return draw.variant.scaled
+               ? glsl::runView<glsl::ScaledView>(plan, draw, worldPosition, worldNormal, place)
+               : glsl::runView<glsl::PlainView>(plan, draw, worldPosition, worldNormal, place);
+}
+
+glm::vec3 strictGreen(const glm::vec3& P) { return glsl::runUnlit<glsl::GreenFragment>(P, {0, 0}); }
+
+glm::vec3 strictOverexposed(const glm::vec3& P, const glm::vec2& place) {
+    return glsl::runUnlit<glsl::OverexposedFragment>(P, place);
 }
 
 StrictGouraudVertex strictGouraudVertex(const lighting::FramePlan& plan, const lighting::Draw& draw,

@@ -4,6 +4,7 @@
 
 #include "lighting/frame_plan.hpp"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -39,6 +40,15 @@ StrictVertex strictVertex(const lighting::Draw& draw, const glm::dvec3& position
 StrictFragment strictFragment(const lighting::FramePlan& plan, const lighting::Draw& draw,
                               const glm::vec3& worldPosition, const glm::vec3& worldNormal,
                               bool front = true);
+
+/// Runs view.frag, all terms on, on the one light of a data view's plan; `place`: gl_FragCoord.
+StrictFragment strictView(const lighting::FramePlan& plan, const lighting::Draw& draw,
+                          const glm::vec3& worldPosition, const glm::vec3& worldNormal,
+                          const glm::vec2& place = {0.5F, 0.5F});
+
+/// What present.glsl makes of P in ViewMode::green and ViewMode::overexposed.
+glm::vec3 strictGreen(const glm::vec3& P);
+glm::vec3 strictOverexposed(const glm::vec3& P, const glm::vec2& place);
 
 /// Runs gouraud.vert, as strictVertex and strictFragment do mesh.vert and mesh.frag.
 StrictGouraudVertex strictGouraudVertex(const lighting::FramePlan& plan, const lighting::Draw& draw,

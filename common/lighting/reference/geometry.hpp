@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lighting/reference/equation.hpp"
+#include "lighting/reference/views.hpp"
 #include "three/scene.hpp"
 
 #include <cstdint>
@@ -192,18 +193,19 @@ Body<T> makeBody(const THREE::Mesh& mesh, const Place<T>& camera, const Switches
     return body;
 }
 
-/// The lights of a scene, in its order, relative to the eye.
+/// The lights of a scene, in its order, relative to the eye; of a look those that it shows.
 template <class T>
-Equation<T> makeEquation(const THREE::Scene& scene, const TermSet& terms, const Vec3<T>& eye) {
+Equation<T> makeEquation(const THREE::Scene& scene, const TermSet& terms, const Vec3<T>& eye,
+                         const Look& look = {}) {
     Equation<T> equation;
-    equation.terms = terms;
+    equation.terms = termsIn(look.view, terms);
     scene.traverseVisible([&](const THREE::Object3D& object) {
         const auto* light = dynamic_cast<const THREE::Light*>(&object);
-        if (light == nullptr)
+        if (light == nullptr || (look.only != nullptr && look.only != light))
             return;
         const Vec3<T> L = toVec<T>(light->color) * T(light->intensity);
         if (dynamic_cast<const THREE::AmbientLight*>(light) != nullptr) {
-            equation.ambientLight += L;
+            equation.ambientLight += look.view == ViewMode::exaggerated ? L * T(exaggeration) : L;
             ++equation.ambientLights;
             return;
         }

@@ -55,15 +55,21 @@ struct Reference<T>::Edges {
 
 template <class T>
 Reference<T>::Reference(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
-                        const Switches& switches, int width, int height)
+                        const Switches& switches, int width, int height, const Look& shown)
     : width_(width), height_(height), camera_(placeOf<T>(camera)), near_(T(camera.near)), far_(T(camera.far)),
       background_(scene.background ? toVec<T>(*scene.background) : Vec3<T>(T(0))), switches_(switches),
-      equation_(makeEquation<T>(scene, switches.terms, camera_.origin)) {
+      painter_(shown.view), data_(isData(shown.view)),
+      equation_(makeEquation<T>(scene, switches.terms, camera_.origin, lookAt(scene, shown))) {
     scene.traverseVisible([this](const THREE::Object3D& object) {
         const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object);
         if (mesh != nullptr && mesh->material->visible && mesh->geometry->triangleCount() > 0)
             bodies_.push_back(makeBody<T>(*mesh, camera_, switches_));
     });
+    for (Body<T>& body : bodies_)
+        if (body.lit && isAddend(shown.view)) {
+            body.emitted = Vec3<T>(T(0));
+            body.D = shown.view == ViewMode::specular ? Vec3<T>(T(0)) : body.D;
+        }
     look(camera);
 }
 
@@ -189,10 +195,20 @@ Vec3<T> Reference<T>::shade(const Surface<T>& s) const {
     return P[0] * s.weights[0] + P[1] * s.weights[1] + P[2] * s.weights[2] + b.emitted;
 }
 
+// What draw() makes of a surface.
+template <class T>
+Vec3<T> Reference<T>::display(const Surface<T>& s, int x, int y) const {
+    const int fromBottom = height_ - 1 - y;
+    if (!data_)
+        return painter_.present(shade(s), x, fromBottom);
+    const Body<T>& b = bodies_[s.body];
+    return b.lit ? painter_.factor(equation_, lit(s), x, fromBottom) : painter_.unlit(b.D);
+}
+
 template <class T>
 void Reference<T>::draw(const Sink& sink, const Progress& progress) const {
     const auto shaded = [&](int x, int y, const std::optional<Surface<T>>& s) {
-        sink(x, y, s ? shade(*s) : background_);
+        sink(x, y, s ? display(*s, x, y) : painter_.background(background_));
     };
     surfaces(shaded, progress);
 }

@@ -67,8 +67,9 @@ class Reference {
   public:
     /// `width` and `height` in pixels; the camera's own aspect is used. Of the switches, `space` makes no difference: points
     /// and vectors are always in world space about the eye.
+    /// draw() draws what `shown` asks for; all the rest is about its surfaces and lights, and about P.
     Reference(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, const Switches& switches,
-              int width, int height);
+              int width, int height, const Look& shown = {});
 
     /// Receives pixels, top left first in each row; from several threads at once, each pixel once.
     using Sink = std::function<void(int x, int y, const Vec3<T>& P)>;
@@ -139,6 +140,7 @@ class Reference {
     }
     Vec3<T> faceNormal(const Body<T>& body, std::size_t triangle) const;
     std::array<Vec3<T>, 3> shadedCorners(const Surface<T>& surface) const;
+    Vec3<T> display(const Surface<T>& surface, int x, int y) const;
     bool isEdge(const std::vector<Hit>& hits, int x, int y, double normalJump) const;
 
     int width_, height_;
@@ -148,6 +150,8 @@ class Reference {
     T near_, far_;
     Vec3<T> background_;
     Switches switches_;
+    Painter<T> painter_;
+    bool data_;  // a factor is drawn, not P
     Equation<T> equation_;
     std::vector<Body<T>> bodies_;
 };
