@@ -50,10 +50,17 @@ void tellTimes(const LightCost& cost, const render::FrameRequest& request) {
 }
 
 // Draws the frame, and gives each part of the time a name. What the renderer does not name is drawing.
-image::Frame drawFrame(std::span<const Side> sides, render::Renderer& renderer, const render::FrameRequest& request,
-                       Phases& phases, StatsReport& report) {
+image::Frame drawFrame(const Session& session, std::span<const Side> sides, const Options& options,
+                       Renderers& renderers, const render::FrameRequest& request, Phases& phases,
+                       StatsReport& report) {
+    render::Renderer& renderer = renderers.get(options);
+    phases.mark("context");
     const double compiledBefore = renderer.stats().compileMilliseconds;
-    image::Frame frame = drawSides(sides, renderer, request);
+    Options byReference = options;
+    byReference.renderer = RendererKind::reference;
+    const bool differs = session.mode == lighting::ViewMode::difference;
+    image::Frame frame =
+        drawPicture(session, sides, renderer, differs ? renderers.get(byReference) : renderer, request);
     const double all = phases.lap();
     report.frameMilliseconds = {all};
     const render::FrameStats stats = renderer.stats();
@@ -117,10 +124,9 @@ void drawSession(Session& session, View* before, const Options& options, Rendere
                     render::findShaderDirectory(options.shaders));
     if (options.frame.empty() && options.frames == 0 && !options.stats)
         return;
-    render::Renderer& renderer = renderers.get(options);
-    phases.mark("context");
     StatsReport report;
-    const image::Frame frame = drawFrame(sides, renderer, request, phases, report);
+    const image::Frame frame = drawFrame(session, sides, options, renderers, request, phases, report);
+    render::Renderer& renderer = renderers.get(options);
     renderers.pictureIsDrawn();
     const render::FrameStats stats = renderer.stats();
     if (!options.frame.empty()) {

@@ -45,9 +45,8 @@ class Live final : public Host {
         while (!leave_ && (session_.split == Split::previous) == (before != nullptr)) {
             if (pictureChanged_ || panelChanged_ > 0)
                 draw();
-            const bool still = !pictureChanged_ && panelChanged_ == 0 && !(moving() && !minimised_);
-            if (still)
-                screen_.prepare(session_);
+            const bool still = !pictureChanged_ && panelChanged_ == 0 && !(moving() && !minimised_) &&
+                               !screen_.prepare(session_);
             for (const Event& event : window_.events(still))
                 handle(event);
             step();
@@ -67,8 +66,10 @@ class Live final : public Host {
         if (session_.playing)
             session_.time += std::min(passed, 0.25);  // after a pause, time goes on from where it was
         coasting_ = coasting_ && session_.view().orbit().coast(passed);
-        if (moving() || screen_.hasNews())
-            pictureChanged_ = true;
+        const Screen::News news = screen_.news();
+        pictureChanged_ |= moving() || news == Screen::News::picture;
+        if (news == Screen::News::panel)
+            panelChanged_ = std::max(panelChanged_, 1);
     }
 
     // The lesson before runs inside of this one's loop, as its guest, for as long as it is shown.
@@ -117,7 +118,6 @@ class Live final : public Host {
         case Event::Kind::file:
             return fileChanged(event.text);
         case Event::Kind::redraw:
-            pictureChanged_ |= screen_.sizeChanged();
             return;
         case Event::Kind::close:
             leave_ = true;

@@ -6,6 +6,7 @@
 #include "lab/equation.hpp"
 #include "lab/live/programs.hpp"
 #include "lab/switches.hpp"
+#include "render/difference_view.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -45,6 +46,26 @@ image::Metadata metadata(const Session& session, const render::Renderer& rendere
     if (session.mode != lighting::ViewMode::final)
         all.emplace_back("view", lighting::info(session.mode).name);
     return all;
+}
+
+image::Frame drawPicture(const Session& session, std::span<const Side> sides, render::Renderer& renderer,
+                         render::Renderer& reference, const render::FrameRequest& request) {
+    image::Frame frame = drawSides(sides, renderer, request);
+    if (session.mode != lighting::ViewMode::difference)
+        return frame;
+    frame = render::differenceView(frame, drawSides(sides, reference, request)).frame;
+    if (request.floats)
+        frame.pixels = image::toFloats(frame);
+    return frame;
+}
+
+void writePicture(Session& session, View* before, render::Renderer& renderer, render::Renderer& reference,
+                  const std::string& file, const render::FrameRequest& request, const std::string& program) {
+    session.update(request.width, request.height);
+    follow(session, before, request.width, request.height);
+    const image::Frame frame =
+        drawPicture(session, session.sides(request.width, before), renderer, reference, request);
+    image::write(file, frame, metadata(session, renderer, program));
 }
 
 void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use) {

@@ -21,6 +21,14 @@ image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer, 
 /// What is needed to know a picture again. The renderer has just drawn it.
 image::Metadata metadata(const Session& session, const render::Renderer& renderer, const std::string& program);
 
+/// The picture of the session's sides, whatever its view is: a difference needs both renderers.
+image::Frame drawPicture(const Session& session, std::span<const Side> sides, render::Renderer& renderer,
+                         render::Renderer& reference, const render::FrameRequest& request);
+
+/// Draws the session for this request and writes it to `file`.
+void writePicture(Session& session, View* before, render::Renderer& renderer, render::Renderer& reference,
+                  const std::string& file, const render::FrameRequest& request, const std::string& program);
+
 /// Calls `use` with the View of the lesson before `program`, or with null where the session does not show it. Throws UsageError where there
 /// is none.
 void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use);

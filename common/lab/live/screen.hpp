@@ -1,15 +1,19 @@
-// Screen: the picture in the window, by the graphics driver at once and by the reference as soon as it is ready; nothing waits.
+// Screen: the picture in the window, by the graphics driver at once and by the reference as soon as it is ready. Nothing waits: where
+// something new is not ready yet, the picture before stays.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include "lab/live/reference_aside.hpp"
 #include "lab/live/session.hpp"
 #include "lab/window.hpp"
+#include "render/difference_view.hpp"
 #include "render/gl_renderer.hpp"
 #include "render/reference_renderer.hpp"
 
 #include <array>
+#include <atomic>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,44 +21,59 @@ namespace lab {
 
 class Screen {
   public:
-    /// Throws NoRenderer, ShaderError.
+    /// Draws with the context of the window, which must live longer. Throws NoRenderer, ShaderError.
     Screen(const Options& options, Window& window);
 
     /// The window's size in pixels; false while it has none.
     bool size(int& width, int& height) const;
-    bool sizeChanged() const;
-    /// Draws into the window, anew where `changed`; false while it has no size. Where something new is not ready yet, the picture
-    /// before stays. Throws THREE::SceneError.
+    /// Draws into the window, anew where `changed` or where the window has another size. False while it has none. Throws THREE::SceneError.
     bool draw(Session& session, View* before, bool changed);
-    /// Whether something has become ready since the last draw, so that another one is worth it.
-    bool hasNews();
-    /// Gets ready for what the user may do next; costs nothing where it is done already.
-    void prepare(Session& session);
+
+    /// What has become ready since the last draw.
+    enum class News { none, panel, picture };
+    News news();
+    /// Gets ready for one more of the things that the user may do next. False where there is nothing left to do.
+    bool prepare(Session& session);
     /// What is wrong with the shaders, if something is: the picture is the last good one.
     const std::optional<std::string>& problem() const { return problem_; }
 
-    /// Takes a changed shader file; none if the file is no shader's, else what is wrong, or an empty text.
+    /// Takes a changed file of the shaders; none if it is no such file, else what is wrong with it, or an empty text.
     std::optional<std::string> reload(const std::string& file);
+    /// The folders that such files are in.
     std::vector<std::string> shaderFolders() const;
 
+    /// Writes what the session shows, as a frame without a window would be. Throws as image::write does.
     void write(Session& session, View* before, const std::string& file, int width, int height);
+    /// What a light costs, in words.
     std::string lightCost(Session& session);
-    /// What stands in a pixel of the picture, 0,0 is its top left.
+    /// The 8-bit code of a pixel of the picture; 0,0 is its top left.
     std::array<std::uint8_t, 3> pixel(int x, int y) { return gl_.pixel(x, y); }
-    render::FrameStats stats() const;
-    /// What the colours mean where the picture is a difference; else none.
+    const render::FrameStats& stats() const { return drawn_; }
+    /// For differences what the colours mean and the largest one, and how far the reference is; else none.
     std::optional<PanelLegend> legend(const Session& session) const;
 
   private:
-    void drawGl(std::span<const Side> sides, int width, int height);
-    void askReference(std::span<const Side> sides, int width, int height);
-    void takeReference(const Session& session);
+    void drawByDriver(std::span<const Side> sides);
+    void askReference();
+    void takeReference();
 
-    const Options& options_;
+    const std::string shaders_;  // --shaders
+    const std::string program_;
     Window& window_;
+    std::atomic<bool> compiled_ = false;  // something, since the last draw
+    std::atomic<bool> evaluated_ = false;
     render::GlRenderer gl_;
     render::ReferenceRenderer reference_;
-    ReferenceAside aside_;
+    render::FrameStats drawn_;
+    std::optional<std::string> problem_;
+    int width_ = 0, height_ = 0;  // of the picture
+    bool waiting_ = false;  // for programs
+    bool differs_ = false;  // the picture is to be a difference
+    std::vector<Side> asked_;  // of the reference
+    std::vector<image::Frame> evaluatedSides_;
+    std::optional<render::DifferenceView> difference_;
+    std::size_t prepared_ = 0;  // how many of the things that may come next
+    ReferenceAside aside_;  // last: it tells the members above
 };
 
 }  // namespace lab
