@@ -66,8 +66,8 @@ PanelCurve cosineCurve(const ProbeReport& report, const ProbeLight& light, Langu
 PanelCurve distanceCurve(const ProbeReport& report, const ProbeLight& light, Language language) {
     const bool isOff = !report.on(Term::attenuation);
     Equation<double> equation;  // the one place that knows f
-    const lighting::reference::Light<double> bulb{nullptr, glm::dvec3(0), glm::dvec3(1), 1, light.decay,
-                                                  light.distance};
+    const lighting::reference::Light<double> bulb{nullptr, glm::dvec3(0), glm::dvec3(1),
+                                                  1,       light.decay,   light.distance};
     const auto f = [&](double d) { return isOff ? 1 : equation.attenuation(d, 1 / d, bulb); };
     const double d = light.addend.d;
     const double last = light.distance > 0 ? std::max(1.2 * light.distance, d) : d > 0 ? 2 * d : 1;
@@ -93,7 +93,7 @@ PanelCurve lobeCurve(const ProbeReport& report, const ProbeLight& light, Languag
     const bool blinn = gloss.model == THREE::SpecularModel::blinn;
     const glm::dvec3 between = light.addend.w + report.probe.v;
     const double size = glm::length(between);
-    const glm::dvec3 axis = !blinn    ? mirrored(report.probe.n, light.addend.w)
+    const glm::dvec3 axis = !blinn     ? mirrored(report.probe.n, light.addend.w)
                             : size > 0 ? between / size
                                        : report.probe.n;
     const double degrees = degreesBetween(axis, blinn ? report.probe.n : report.probe.v);
