@@ -178,8 +178,9 @@ TEST(EquationWithNumbers, NeutralElementsWhereTermsAreOff) {
               "P = ( max(0, 1) · 0.032 · (1, 1, 1) ⊗ (5.00, 10.00, 2.50) + 0 ) + 0 = (0.16, 0.32, 0.08)");
     for (const PanelSymbol& symbol : symbols)
         if (symbol.command == "term cosine toggle" || symbol.command == "term directional toggle" ||
-            symbol.command == "term ambient toggle")
+            symbol.command == "term ambient toggle") {
             EXPECT_EQ(symbol.tone, Tone::off) << symbol.text;
+        }
 }
 
 TEST(EquationWithNumbers, OfManyLightsTheBrightest) {
