@@ -2,32 +2,54 @@
 // SPDX-License-Identifier: MIT
 #include "render/reference_renderer.hpp"
 
-#include "lighting/reference/reference.hpp"
-
-#include <atomic>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace render {
 
-image::Frame ReferenceRenderer::render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
-                                       const lighting::Settings& settings, const FrameRequest& request) {
-    using lighting::reference::Reference;
-    using lighting::reference::Vec3;
-    const Reference<double> reference(scene, camera, settings, request.width, request.height,
-                                      {settings.view, settings.only});
-    image::Floats floats(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) *
-                         3);
-    std::atomic<long long> nonfinite = 0;
-    const auto store = [&](int x, int y, const Vec3<double>& P) {
+namespace {
+
+struct Stopped {};
+
+}  // namespace
+
+std::optional<image::Frame> drawReference(const lighting::reference::Reference<double>& reference,
+                                          bool floats, const Progress& progress,
+                                          const std::atomic<bool>* stop, long long* nonfinite) {
+    const auto width = static_cast<std::size_t>(reference.width());
+    image::Floats numbers(width * static_cast<std::size_t>(reference.height()) * 3);
+    std::atomic<long long> bad = 0;
+    const auto store = [&](int x, int y, const lighting::reference::Vec3<double>& P) {
+        if (stop != nullptr && stop->load(std::memory_order_relaxed))
+            throw Stopped();
         constexpr double largest = std::numeric_limits<float>::max();
-        float* const pixel = &floats[(static_cast<std::size_t>(y) * static_cast<std::size_t>(request.width) +
-                                      static_cast<std::size_t>(x)) *
-                                     3];
+        float* const pixel =
+            &numbers[(static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)) * 3];
         for (int channel = 0; channel < 3; ++channel)
             pixel[channel] = static_cast<float>(std::clamp(P[channel], -largest, largest));
         if (!std::isfinite(P.x + P.y + P.z))
-            ++nonfinite;
+            ++bad;
     };
-    reference.draw(store, progress_);
+    try {
+        reference.draw(store, progress);
+    } catch (const Stopped&) {
+        return std::nullopt;
+    }
+    if (nonfinite != nullptr)
+        *nonfinite = bad;
+    image::Frame frame{reference.width(), reference.height(), std::move(numbers)};
+    if (!floats)
+        frame.pixels = image::toBytes(frame);
+    return frame;
+}
+
+image::Frame ReferenceRenderer::render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
+                                       const lighting::Settings& settings, const FrameRequest& request) {
+    const lighting::reference::Reference<double> reference(scene, camera, settings, request.width,
+                                                           request.height, {settings.view, settings.only});
+    long long nonfinite = 0;
+    image::Frame frame = *drawReference(reference, request.floats, progress_, nullptr, &nonfinite);
 
     stats_ = FrameStats{};
     for (const auto& body : reference.bodies()) {
@@ -39,9 +61,6 @@ image::Frame ReferenceRenderer::render(const THREE::Scene& scene, const THREE::P
     stats_.lightsUsed = equation.ambientLights +
                         static_cast<int>(equation.directionalLights.size() + equation.pointLights.size());
     stats_.nonfinite = nonfinite;
-    image::Frame frame{request.width, request.height, std::move(floats)};
-    if (!request.floats)
-        frame.pixels = image::toBytes(frame);
     return frame;
 }
 

@@ -2,9 +2,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lighting/reference/reference.hpp"
 #include "render/renderer.hpp"
 
+#include <atomic>
+
 namespace render {
+
+/// Draws a reference into a frame of its size, on all cores. From the moment on at which `stop` is set, by any thread, nothing more
+/// is evaluated: none is returned, some milliseconds later. `nonfinite`: where to count pixels that met NaN or infinity.
+/// Codes cannot be had of NaN: image::Error.
+std::optional<image::Frame> drawReference(const lighting::reference::Reference<double>& reference,
+                                          bool floats, const Progress& progress = {},
+                                          const std::atomic<bool>* stop = nullptr,
+                                          long long* nonfinite = nullptr);
 
 /// Draws with lighting::reference::Reference<double>. Of the settings only the switches, the view and `only` count:
 /// nothing is skipped.

@@ -66,12 +66,11 @@ PanelCurve cosineCurve(const ProbeReport& report, const ProbeLight& light, Langu
 PanelCurve distanceCurve(const ProbeReport& report, const ProbeLight& light, Language language) {
     const bool isOff = !report.on(Term::attenuation);
     Equation<double> equation;  // the one place that knows f
-    const lighting::reference::Light<double> bulb{nullptr, glm::dvec3(0), glm::dvec3(1), 1, light.decay,
-                                                  light.distance};
-    const auto f = [&](double d) { return isOff ? 1 : equation.attenuation(d, 1 / d, bulb); };
+    const lighting::reference::Light<double> bulb{nullptr, glm::dvec3(0), glm::dvec3(1),
+                                                  1,       light.decay,   light.distance};
+    const auto f = [&](double d) { return isOff ? 1 : equation.attenuation(d, d > 0 ? 1 / d : 1e300, bulb); };
     const double d = light.addend.d;
     const double last = light.distance > 0 ? std::max(1.2 * light.distance, d) : d > 0 ? 2 * d : 1;
-    const double first = last / samples;
     PanelCurve curve;
     curve.title = light.decay == 0 ? "f(d) = 1" : "f(d) = 1 / d^" + significant(light.decay, 3);
     if (light.distance > 0)
@@ -82,7 +81,7 @@ PanelCurve distanceCurve(const ProbeReport& report, const ProbeLight& light, Lan
     // High enough for the point in the upper third; without attenuation f is 1 everywhere.
     const double high = std::clamp(1.5 * light.addend.f, 1e-300, 1e300);
     const double top = light.addend.f > 0 ? high : std::clamp(f(last / 4), 1e-300, 1e300);
-    const Diagram diagram{first, last, 0, top, f};
+    const Diagram diagram{0, last, 0, top, f};
     diagram.draw(curve, d, light.addend.f);
     curve.dotText = of("f", d, "", light.addend.f);
     return curve;
@@ -93,7 +92,7 @@ PanelCurve lobeCurve(const ProbeReport& report, const ProbeLight& light, Languag
     const bool blinn = gloss.model == THREE::SpecularModel::blinn;
     const glm::dvec3 between = light.addend.w + report.probe.v;
     const double size = glm::length(between);
-    const glm::dvec3 axis = !blinn    ? mirrored(report.probe.n, light.addend.w)
+    const glm::dvec3 axis = !blinn     ? mirrored(report.probe.n, light.addend.w)
                             : size > 0 ? between / size
                                        : report.probe.n;
     const double degrees = degreesBetween(axis, blinn ? report.probe.n : report.probe.v);

@@ -7,6 +7,7 @@
 #include "lab/live/probe_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lab {
 
@@ -79,7 +80,7 @@ class Writer {
                               : term(Term::attenuation, shortText(a.f), of);
         };
         term(Term::clamp, "max(0, ", of);
-        term(Term::cosine, shortText(a.cosine), of);
+        term(Term::cosine, shortText(std::abs(a.cosine) < 1e-12 ? 0 : a.cosine), of);
         term(Term::clamp, ")", of);
         plain(" · ");
         attenuation();

@@ -5,15 +5,22 @@
 #include "lab/failure.hpp"
 #include "lab/live/commands.hpp"
 #include "lab/live/keys.hpp"
-#include "lab/live/light_helpers.hpp"
+#include "lab/live/light_drag.hpp"
 #include "lab/live/panel_builder.hpp"
 #include "lab/live/probe_text.hpp"
 #include "lab/live/screen.hpp"
 #include "lab/live/values.hpp"
+#include "lab/equation.hpp"
+#include "three/object_loader.hpp"
+#include "three/validate.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <optional>
+#include <utility>
 
 namespace lab {
 
@@ -23,6 +30,24 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code error;
+    return std::filesystem::equivalent(a, b, error) && !error;
+}
+
+// The folder of a file, as it can be watched.
+std::string folderOf(const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    return folder.empty() ? "." : folder.string();
+}
+
+// A scene that another program is to show, read once already: what is wrong with it is told here, and this picture stays.
+void checkScene(const std::string& file) {
+    const THREE::LoadedScene loaded = THREE::ObjectLoader().load(file);
+    loaded.scene->updateMatrixWorld();
+    THREE::validate(*loaded.scene, THREE::PerspectiveCamera(50, 1, 1e30, 1e36));
+}
+
 class Live final : public Host {
   public:
     Live(View& view, const Options& options, Handover& handover)
@@ -31,7 +56,10 @@ class Live final : public Host {
         facts_.program = options.lesson;
         facts_.slides = slidesOf(options.lesson);
         window_.setTitle(options.lesson);
-        window_.watch(screen_.shaderFolders());
+        std::vector<std::string> folders = screen_.shaderFolders();
+        if (!options.sceneFile.empty())
+            folders.push_back(folderOf(options.sceneFile));
+        window_.watch(folders);
     }
 
     void run() { loop(nullptr); }
@@ -170,7 +198,7 @@ class Live final : public Host {
         const Clock::time_point now = Clock::now();
         const double passed = std::max(seconds(now - lastDrag_), 1e-3);
         lastDrag_ = now;
-        drag_ = {event.dx / passed, event.dy / passed, pans};
+        fling_ = Fling{event.dx / passed, event.dy / passed, pans};
         coasting_ = false;
         moveCamera("orbit", [&] {
             Orbit& orbit = session_.view().orbit();
@@ -180,24 +208,36 @@ class Live final : public Host {
 
     void release() {
         commands_.endGesture();
+        const bool orbited = !drag_ && fling_;
+        drag_.reset();
         constexpr double stopped = 0.06;  // seconds without a move: held still, then let go
-        if (seconds(Clock::now() - lastDrag_) > stopped)
-            return;
-        session_.view().orbit().fling(drag_.dx, drag_.dy, drag_.pans);
-        coasting_ = true;
+        if (orbited && seconds(Clock::now() - lastDrag_) <= stopped) {
+            session_.view().orbit().fling(fling_->dx, fling_->dy, fling_->pans);
+            coasting_ = true;
+        }
+        fling_.reset();
         last_ = Clock::now();
     }
 
     void dragHandle(const Event& event) {
-        const std::size_t blank = event.text.find(' ');
-        const int number = std::atoi(event.text.substr(std::min(blank, event.text.size())).c_str());
-        if (number < 1 || number > static_cast<int>(session_.lights().size()))
+        const auto& lights = session_.lights();
+        const std::size_t number = std::strtoul(event.text.c_str() + event.text.find_first_of("0123456789 "), nullptr, 10);
+        if (number < 1 || number > lights.size())
             return;
-        session_.chosenLight = number;
-        THREE::Light& light = *session_.lights()[static_cast<std::size_t>(number - 1)];
-        const THREE::Vector3 place = dragLight(light, session_.view().camera(), session_.view().orbit().target(), {event.x, event.y});
-        const char* const field = dynamic_cast<THREE::DirectionalLight*>(&light) != nullptr ? " direction " : " position ";
-        say("light " + std::to_string(number) + field + vectorText(place), {.byHand = true});
+        THREE::Light& light = *lights[number - 1];
+        const THREE::Vector3 before = light.position;
+        if (!drag_ || dragged_ != &light)
+            drag_.emplace(light, session_.view().camera(), std::as_const(session_).view().orbit().target());
+        dragged_ = &light;
+        session_.chosenLight = static_cast<int>(number);
+        if (!drag_->to({event.x, event.y}))
+            return;
+        const std::string place = vectorText(light.position);
+        light.position = before;  // the command moves it, so that it can be undone and saved
+        const char* const field =
+            dynamic_cast<THREE::DirectionalLight*>(&light) != nullptr ? " direction " : " position ";
+        say("light " + std::to_string(number) + field + place, {.byHand = true});
+        session_.updateNow();
     }
 
     void fileChanged(const std::string& file) {
@@ -246,7 +286,8 @@ class Live final : public Host {
     }
     void fullscreen() override { window_.toggleFullscreen(); }
     void goTo(const std::string& program, const std::vector<std::string>& arguments) override {
-        checkProgram(program, arguments);
+        if (!arguments.empty())
+            checkScene(arguments[0]);
         handover_.program = program;
         handover_.arguments = arguments;
         const auto keep = [this](const std::string& option, const std::string& value) {
@@ -297,9 +338,9 @@ class Live final : public Host {
         window_.show(buildPanel(session_, facts_));
     }
 
-    struct Drag {
-        double dx = 0, dy = 0;  // heights of the window a second
-        bool pans = false;
+    struct Fling {
+        double dx, dy;  // heights of the window a second
+        bool pans;
     };
 
     const Options& options_;
@@ -315,7 +356,9 @@ class Live final : public Host {
     bool pictureChanged_ = true, probed_ = true;
     int panelChanged_ = 2;
     bool coasting_ = false, minimised_ = false, leave_ = false;
-    Drag drag_;
+    std::optional<Fling> fling_;
+    std::optional<LightDrag> drag_;  // of a light's handle, while it is held
+    const THREE::Light* dragged_ = nullptr;
     Clock::time_point last_ = Clock::now(), lastDrag_ = Clock::now();
 };
 

@@ -35,11 +35,13 @@ std::string significant(const glm::dvec3& v, int digits) {
     return joined(significant(v.x, digits), significant(v.y, digits), significant(v.z, digits));
 }
 
-std::string shortText(const glm::dvec3& v) {
-    const double least = 1e-12 * std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    const auto part = [least](double x) { return significant(std::abs(x) <= least ? 0 : x, 3); };
-    return joined(part(v.x), part(v.y), part(v.z));
+glm::dvec3 dusted(const glm::dvec3& v, double size) {
+    const double least = 1e-12 * std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), size});
+    const auto part = [least](double x) { return std::abs(x) <= least ? 0 : x; };
+    return {part(v.x), part(v.y), part(v.z)};
 }
+
+std::string shortText(const glm::dvec3& v) { return significant(dusted(v), 3); }
 
 std::string shortText(double value) {
     if (whole(value))

@@ -12,7 +12,10 @@ std::string significant(double value, int digits);
 /// "(x, y, z)"
 std::string significant(const glm::dvec3& v, int digits);
 
-/// For the eye: what is 1e-12 of the largest part or less is 0, the rest has three significant digits.
+/// Without rounding's dust: parts of 1e-12 of the largest one, or of `size`, or less are 0.
+glm::dvec3 dusted(const glm::dvec3& v, double size = 0);
+
+/// For the eye: dusted, with three significant digits.
 std::string shortText(const glm::dvec3& v);
 /// Two decimals, or two significant digits where that would be too few; whole numbers as such: "0.62", "0.0037", "1".
 std::string shortText(double value);

@@ -15,7 +15,8 @@ struct Overlay {
 
 /// How the arrows at a point are wanted.
 struct OverlayOptions {
-    std::optional<int> chosen;  ///< number of the light that is drawn stronger, with its angle; none: the brightest
+    std::optional<int>
+        chosen;  ///< number of the light that is drawn stronger, with its angle; none: the brightest
     bool reflected = false;  ///< R and v also where nothing shines
     std::size_t lights = 8;  ///< as many lights at most get an arrow: the brightest and the chosen one
     double length = 0.18;  ///< of an arrow across the view, in picture heights, whatever the distance

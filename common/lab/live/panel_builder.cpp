@@ -13,6 +13,7 @@
 #include "three/validate.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lab {
 
@@ -177,11 +178,12 @@ class Builder {
     }
 
     void addHelpers() {
-        LightHelpers helpers = lightHelpers(session_.view().scene(), session_.view().camera(),
-                                            session_.view().orbit().target(), session_.chosenLight, session_.language);
-        panel_.strokes.insert(panel_.strokes.end(), helpers.strokes.begin(), helpers.strokes.end());
-        panel_.tags.insert(panel_.tags.end(), helpers.tags.begin(), helpers.tags.end());
-        panel_.handles = std::move(helpers.handles);
+        const THREE::PerspectiveCamera& camera = session_.view().camera();
+        const std::vector<LightHelper> helpers =
+            lightHelpers(session_.view().scene(), camera, std::as_const(session_).view().orbit().target());
+        LightMarks marks = lightMarks(helpers, camera, session_.chosenLight, session_.language);
+        panel_.strokes.insert(panel_.strokes.end(), marks.strokes.begin(), marks.strokes.end());
+        panel_.handles = std::move(marks.handles);
     }
 
     Session& session_;

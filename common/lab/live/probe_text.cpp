@@ -40,6 +40,9 @@ glm::dvec3 highlightOf(const ProbeReport& report) {
     return sum;
 }
 
+// Of unit vectors: at a right angle it is 0.
+double cosineOf(double x) { return std::abs(x) < 1e-12 ? 0 : x; }
+
 bool inThePoint(const ProbeLight& light) { return !light.directional && light.addend.d == 0; }
 
 std::string whereIs(const ProbeReport& report, Language language) {
@@ -84,8 +87,8 @@ Line lightLine(const ProbeReport& report, const ProbeLight& light, Language lang
     line.push_back({inThePoint(light) ? say({"nel punto stesso", "in the very point"}, language)
                                       : shortText(light.addend.w),
                     Tone::plain});
-    line.push_back(number(light.addend.cosine, Term::cosine));
-    line.push_back(number(light.addend.clamped, Term::clamp));
+    line.push_back(number(cosineOf(light.addend.cosine), Term::cosine));
+    line.push_back(number(cosineOf(light.addend.clamped), Term::clamp));
     line.push_back(light.directional ? Span{"1", Tone::plain} : number(light.addend.f, Term::attenuation));
     line.push_back({light.directional ? "-" : significant(light.addend.d, 4), Tone::plain});
     line.push_back({colorText(light.addend.L) + off(!report.on(Term::lightColor), language),
@@ -147,7 +150,7 @@ class Fields {
         text_ += (text_.empty() ? "probe " : "; ") + name + " = " + value;
     }
     void add(const std::string& name, const glm::dvec3& v, bool on = true) {
-        add(name, significant(v, exact) + off(!on, language_));
+        add(name, significant(dusted(v), exact) + off(!on, language_));
     }
     void add(const std::string& name, double value, bool on = true) {
         add(name, significant(value, exact) + off(!on, language_));
@@ -172,8 +175,8 @@ void addLight(const ProbeReport& report, const ProbeLight& light, Language langu
     fields.add(name, say(kind, language) + (light.name.empty() ? "" : " '" + harmless(light.name) + "'") +
                          off(!light.counted, language));
     fields.add(name + " w", light.addend.w);
-    fields.add(name + " n.w", light.addend.cosine, report.on(Term::cosine));
-    fields.add(name + " max", light.addend.clamped, report.on(Term::clamp));
+    fields.add(name + " n.w", cosineOf(light.addend.cosine), report.on(Term::cosine));
+    fields.add(name + " max", cosineOf(light.addend.clamped), report.on(Term::clamp));
     fields.add(name + " f", light.addend.f, light.directional || report.on(Term::attenuation));
     if (!light.directional)
         fields.add(name + " d", light.addend.d);
@@ -247,7 +250,7 @@ std::vector<Line> probeLines(const ProbeReport& report, Language language, std::
         const bool albedoOff = report.probe.lit && !report.on(Term::albedo);
         const glm::dvec3 D = albedoOff ? glm::dvec3(1) : report.probe.D;
         lines.push_back(
-            {{"Q = " + shortText(report.probe.Q), Tone::plain},
+            {{"Q = " + shortText(dusted(report.probe.Q, std::abs(report.probe.depth))), Tone::plain},
              {"n = " + shortText(report.probe.n), Tone::plain},
              {"D = " + colorText(D) + off(albedoOff, language), albedoOff ? Tone::idle : Tone::plain}});
     }
@@ -266,7 +269,7 @@ std::string probeText(const ProbeReport& report, Language language) {
         fields.add("mesh", harmless(report.mesh));
         fields.add("triangle", std::to_string(probe.triangle));
         fields.add("seen", say(sightText(report.sight), language));
-        fields.add("Q", probe.Q);
+        fields.add("Q", dusted(probe.Q, std::abs(probe.depth)));
         fields.add("n", probe.n);
         fields.add("v", probe.v);
         fields.add("D", report.on(Term::albedo) || !probe.lit ? probe.D : glm::dvec3(1),

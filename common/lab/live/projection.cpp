@@ -53,8 +53,8 @@ glm::dvec3 Projection::ray(const PanelPoint& at) const {
     return {(2 * at.x - 1) * halfWidth_, (1 - 2 * at.y) * halfHeight_, -1};
 }
 
-std::optional<PanelStroke> Projection::stroke(const glm::dvec3& from, const glm::dvec3& to, Ink ink, bool arrow,
-                                              double width) const {
+std::optional<PanelStroke> Projection::stroke(const glm::dvec3& from, const glm::dvec3& to, Ink ink,
+                                              bool arrow, double width) const {
     const glm::dvec3 a = view(from), step = view(to) - a;
     double first = 0, last = 1;
     // Planes of view space: the near plane, and four through the eye, three times as far apart as the picture's edges.

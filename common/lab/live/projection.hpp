@@ -23,8 +23,8 @@ class Projection {
     glm::dvec3 ray(const PanelPoint& at) const;
     /// The part of a straight line between two points of the world that is behind the near plane and within a picture's width and
     /// height of the picture; none if there is none. Without its end an arrow loses its head. Always finite.
-    std::optional<PanelStroke> stroke(const glm::dvec3& from, const glm::dvec3& to, Ink ink, bool arrow = false,
-                                      double width = 2) const;
+    std::optional<PanelStroke> stroke(const glm::dvec3& from, const glm::dvec3& to, Ink ink,
+                                      bool arrow = false, double width = 2) const;
     /// World units of the camera that a share of the picture's height spans at the depth of a point; 0 behind the near plane.
     double lengthAt(const glm::dvec3& world, double share) const;
     /// The eye, world space.

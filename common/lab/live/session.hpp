@@ -70,7 +70,13 @@ class Session {
     /// The picture's sides for this width in pixels: one, or two. `before`: the view of the lesson before this one, if there is one now.
     std::vector<Side> sides(int width, View* before) const;
     /// Moves scene and camera to the time, for a picture of this size. Throws THREE::SceneError.
-    void update(int width, int height) { view_.update(time, width, height); }
+    void update(int width, int height) {
+        width_ = width;
+        height_ = height;
+        updateNow();
+    }
+    /// The same for the size before.
+    void updateNow() { view_.update(time, width_, height_); }
 
     State state() const { return table.state(); }
     /// Makes it so. Throws UsageError; then everything is as it was.
@@ -95,6 +101,7 @@ class Session {
     View& view_;
     const Options& options_;
     State start_;
+    int width_ = 512, height_ = 512;
     std::vector<THREE::Light*> lights_;
     std::vector<std::unique_ptr<THREE::Light>> added_;
 };
