@@ -4,6 +4,7 @@
 
 #include "lab/window.hpp"
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <thread>
