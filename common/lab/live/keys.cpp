@@ -28,7 +28,7 @@ const Key table[] = {
     {'/', true, false, "/", "split next", {}},
     {'7', true, false, "/", "split next", {}},  // where the / of an Italian keyboard is
     {'P', false, false, "P", "pin", {"P: fissa la sonda nel punto sotto il mouse; I: la sonda segue il mouse", "P: pins the probe to the point under the mouse; I: the probe follows the mouse"}},
-    {'I', false, false, "I", "probe toggle", {}},
+    {'I', false, false, "I", "follow toggle", {}},
     {'H', false, false, "H", "helpers toggle", {"H: mostra le luci, da prendere col mouse; A: ne aggiunge una; Canc: la toglie", "H: shows the lights, to be grabbed; A: adds one; Del: takes it out"}},
     {'A', false, false, "A", "light add point", {}},
     {keyDelete, false, false, "Del", "light chosen remove", {}},

@@ -65,7 +65,7 @@ void Session::addHiddenControls() {
                .reset = [this] { view_.setJitter({}); }});
     table.addNumber("light cut", "", {"luce tralasciata, codici a 8 bit", "light left out, 8-bit codes"}, 0, 255,
                     view_.lightCut, 0);
-    table.add({.name = "pin",
+    table.add({.name = "pinned point",
                .kind = WidgetKind::action,
                .help = {"il punto fissato: mesh,triangolo,peso,peso,peso, o none",
                         "the pinned point: mesh,triangle,weight,weight,weight, or none"},
@@ -178,7 +178,7 @@ void Session::addWindowControls() {
     const auto unsaved = [](Control& control) { control.saved = false; };
     if (view_.animated())
         unsaved(table.addToggle("play", "window", {"il movimento", "the movement"}, playing, false));
-    unsaved(table.addToggle("probe", "window", {"i numeri sotto il mouse", "the numbers under the mouse"}, follow, false));
+    unsaved(table.addToggle("follow", "window", {"i numeri sotto il mouse", "the numbers under the mouse"}, follow, false));
     unsaved(table.addToggle("helpers", "window", {"le luci, da prendere col mouse", "the lights, to be grabbed"},
                             helpers, false));
     unsaved(table.addToggle("keys", "window", {"elenco dei tasti", "the list of keys"}, legend, true));
