@@ -78,13 +78,13 @@ void Session::addControlsOf(THREE::Light& one, int number) {
     const auto place = [override]() -> auto& { return override().position; };
     if (dynamic_cast<THREE::DirectionalLight*>(&one) != nullptr) {
         table.add(given<Vector3>(name + " direction", WidgetKind::vector, group,
-                                 {"verso la luce; la lunghezza non conta", "towards the light; its length does not count"},
+                                 {"direzione ω", "direction ω"},
                                  place, one.position, vectorText, readDirection));
     } else if (auto* const point = dynamic_cast<THREE::PointLight*>(&one)) {
         table.add(given<Vector3>(name + " position", WidgetKind::vector, group, {"posizione P_L", "position P_L"}, place,
                                  one.position, vectorText, readVector));
         table.add(lab::number(given<double>(name + " decay", WidgetKind::number, group,
-                                            {"esponente k di f(d) = 1/d^k", "exponent k of f(d) = 1/d^k"},
+                                            {"esponente k", "exponent k"},
                                             [override]() -> auto& { return override().decay; }, point->decay,
                                             THREE::numberText, readIntensity),
                               4, 0.1));

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -62,7 +63,11 @@ class Live final : public Host {
         window_.watch(folders);
     }
 
-    void run() { loop(nullptr); }
+    void run() {
+        pending_ = std::exchange(handover_.pending, {});
+        loop(nullptr);
+        handover_.pending = std::move(pending_);
+    }
 
   private:
     // ---- the loop
@@ -70,18 +75,32 @@ class Live final : public Host {
     // `before`: the lesson before this one, while its picture is shown beside.
     void loop(View* before) {
         before_ = before;
-        while (!leave_ && (session_.split == Split::previous) == (before != nullptr)) {
+        while (goesOn(before)) {
             if (pictureChanged_ || panelChanged_ > 0)
                 draw();
             const bool still = !pictureChanged_ && panelChanged_ == 0 && !(moving() && !minimised_) &&
                                !screen_.prepare(session_);
-            for (const Event& event : window_.events(still))
-                handle(event);
+            for (Event& event : window_.events(still && pending_.empty()))
+                pending_.push_back(std::move(event));
+            handlePending(before);
             step();
         }
         before_ = nullptr;
         if (!leave_ && before == nullptr)
             showLessonBefore();
+    }
+
+    bool goesOn(const View* before) const {
+        return !leave_ && (session_.split == Split::previous) == (before != nullptr);
+    }
+
+    // What was said after a change of lesson, or of what is shown beside, is for whoever comes then.
+    void handlePending(const View* before) {
+        while (!pending_.empty() && goesOn(before)) {
+            const Event event = std::move(pending_.front());
+            pending_.pop_front();
+            handle(event);
+        }
     }
 
     bool moving() const { return session_.playing || coasting_; }
@@ -105,7 +124,7 @@ class Live final : public Host {
         try {
             const std::string name = neighbour(options_.lesson, -1);
             facts_.before = name;
-            Handover guest{handover_.window, {}, {}, [this](View& view) { loop(&view); }};
+            Handover guest{handover_.window, {}, {}, {}, [this](View& view) { loop(&view); }};
             runProgram(name, {}, guest);
         } catch (const UsageError& error) {
             answer(std::string("error split: ") + error.what());
@@ -266,6 +285,8 @@ class Live final : public Host {
         return state;
     }
     std::string probe(const std::optional<PanelPoint>& at) override {
+        if (pictureChanged_)
+            draw();
         const std::optional<ProbeReport> report = look(at);
         if (!report)
             throw UsageError(at ? "expected a point of the picture" : "no point is pinned; expected X Y, or pin X Y before");
@@ -304,28 +325,32 @@ class Live final : public Host {
 
     // ---- drawing
 
-    // The numbers of a place of the picture, or of the pinned point.
+    // The numbers of a place of the picture, of the side that is seen there, or of the pinned point.
     std::optional<ProbeReport> look(const std::optional<PanelPoint>& at) {
         int width = 0, height = 0;
         if (!screen_.size(width, height))
             return std::nullopt;
-        if (probed_) {
-            session_.update(width, height);
-            prober_.see(session_.view().scene(), session_.view().camera(), session_.settings(), width, height);
-            probed_ = false;
-        }
         const auto pixel = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
-        std::optional<ProbeReport> report = at            ? prober_.at(pixel(at->x, width), pixel(at->y, height))
+        const int x = at ? pixel(at->x, width) : width - 1;
+        const std::vector<Side> sides = session_.sides(width, before_);
+        const Side& side = sides.front().endColumn > x ? sides.front() : sides.back();
+        if (sceneChanged_ || pictureChanged_ || side.firstColumn != probedFrom_) {
+            session_.update(width, height);
+            prober_.see(side.view->scene(), side.view->camera(), side.settings, width, height);
+            sceneChanged_ = false;
+            probedFrom_ = side.firstColumn;
+        }
+        std::optional<ProbeReport> report = at            ? prober_.at(x, pixel(at->y, height))
                                             : session_.pin ? prober_.at(*session_.pin)
                                                            : std::nullopt;
         if (report && report->pixel)
-            report->drawn = screen_.pixel((*report->pixel)[0], (*report->pixel)[1]);
+            report->drawn = screen_.pixel(session_, (*report->pixel)[0], (*report->pixel)[1]);
         return report;
     }
 
     void draw() {
         minimised_ = !screen_.draw(session_, before_, pictureChanged_);
-        probed_ |= pictureChanged_;
+        sceneChanged_ |= pictureChanged_;
         pictureChanged_ = false;
         panelChanged_ = std::max(0, panelChanged_ - 1);
         if (minimised_)
@@ -352,8 +377,10 @@ class Live final : public Host {
     Prober prober_;
     PanelFacts facts_;
     View* before_ = nullptr;
+    std::deque<Event> pending_;
     std::optional<PanelPoint> mouse_;
-    bool pictureChanged_ = true, probed_ = true;
+    bool pictureChanged_ = true, sceneChanged_ = true;  // since the last draw; since the probe last saw it
+    int probedFrom_ = 0;  // the first column of the side that it saw
     int panelChanged_ = 2;
     bool coasting_ = false, minimised_ = false, leave_ = false;
     std::optional<Fling> fling_;

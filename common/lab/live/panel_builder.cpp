@@ -50,6 +50,8 @@ class Builder {
         addReadings();
         if (session_.legend)
             addKeys();
+        else
+            panel_.rows.push_back({{tell({"F1: tutti i tasti   Q: comandi   Esc: esce", "F1: all keys   Q: controls   Esc: leaves"}), Tone::idle}});
         addLegend();
         addDivider();
         if (session_.helpers)

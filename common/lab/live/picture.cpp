@@ -71,7 +71,7 @@ void writePicture(Session& session, View* before, render::Renderer& renderer, re
 void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use) {
     if (session.split != Split::previous)
         return use(nullptr);
-    Handover guest{nullptr, {}, {}, [&use](View& view) { use(&view); }};
+    Handover guest{nullptr, {}, {}, {}, [&use](View& view) { use(&view); }};
     runProgram(neighbour(program, -1), {}, guest);
 }
 

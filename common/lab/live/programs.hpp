@@ -5,6 +5,7 @@
 
 #include "lab/window.hpp"
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,6 +20,7 @@ struct Handover {
     std::shared_ptr<Window> window;  ///< to go on in
     std::string program;  ///< to go on with when this one returns; empty: leave
     std::vector<std::string> arguments;  ///< of that one
+    std::deque<Event> pending;  ///< what came after the wish to go on: for that one
     std::function<void(View& view)> guest;  ///< set: hand the View to this and return, show nothing
 };
 

@@ -75,6 +75,7 @@ void Screen::drawByDriver(std::span<const Side> sides) {
         parts.push_back({&plans.back(), &side.settings, side.firstColumn, side.endColumn});
     }
     compiled_ = false;
+    byDriver_ = true;
     try {
         waiting_ = !gl_.drawPicture(parts, width_, height_);
         problem_.reset();
@@ -109,7 +110,15 @@ void Screen::takeReference() {
         whole = difference_->frame;
     }
     gl_.setPicture(whole);
+    byDriver_ = false;
     asked_.clear();
+}
+
+std::optional<std::array<std::uint8_t, 3>> Screen::pixel(const Session& session, int x, int y) {
+    const bool isP = session.mode == lighting::ViewMode::final && session.only == 0;
+    if (!isP || waiting_ || !byDriver_ || problem_ || x < 0 || y < 0 || x >= width_ || y >= height_)
+        return std::nullopt;
+    return gl_.pixel(x, y);
 }
 
 Screen::News Screen::news() {

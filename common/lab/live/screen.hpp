@@ -46,8 +46,8 @@ class Screen {
     void write(Session& session, View* before, const std::string& file, int width, int height);
     /// What a light costs, in words.
     std::string lightCost(Session& session);
-    /// The 8-bit code of a pixel of the picture; 0,0 is its top left.
-    std::array<std::uint8_t, 3> pixel(int x, int y) { return gl_.pixel(x, y); }
+    /// The 8-bit code of P that the driver drew into a pixel; 0,0 is the top left. None where the picture is not P, or not ready.
+    std::optional<std::array<std::uint8_t, 3>> pixel(const Session& session, int x, int y);
     const render::FrameStats& stats() const { return drawn_; }
     /// For differences what the colours mean and the largest one, and how far the reference is; else none.
     std::optional<PanelLegend> legend(const Session& session) const;
@@ -69,6 +69,7 @@ class Screen {
     int width_ = 0, height_ = 0;  // of the picture
     bool waiting_ = false;  // for programs
     bool differs_ = false;  // the picture is to be a difference
+    bool byDriver_ = true;  // it is what the driver drew
     std::vector<Side> asked_;  // of the reference
     std::vector<image::Frame> evaluatedSides_;
     std::optional<render::DifferenceView> difference_;

@@ -50,7 +50,7 @@ class Session {
     bool playing = false;  ///< the animation runs
     bool follow = false;  ///< the probe follows the mouse
     bool helpers = false;  ///< lights are shown, and can be grabbed
-    bool legend = true;  ///< keys and what was left out are shown
+    bool legend = false;  ///< keys and what was left out are shown
     bool panel = true;  ///< the controls are shown
     bool light = false;  ///< the theme for weak projectors
     double fontSize = 16;

@@ -181,7 +181,7 @@ void Session::addWindowControls() {
     unsaved(table.addToggle("follow", "window", {"i numeri sotto il mouse", "the numbers under the mouse"}, follow, false));
     unsaved(table.addToggle("helpers", "window", {"le luci, da prendere col mouse", "the lights, to be grabbed"},
                             helpers, false));
-    unsaved(table.addToggle("keys", "window", {"elenco dei tasti", "the list of keys"}, legend, true));
+    unsaved(table.addToggle("keys", "window", {"elenco dei tasti", "the list of keys"}, legend, false));
     unsaved(table.addToggle("panel", "window", {"i comandi a destra", "the controls at the right"}, panel, true));
     unsaved(table.addToggle("light theme", "window", {"tema chiaro", "light theme"}, light, false));
     Control& size = table.addNumber("font size", "window", {"grandezza dei caratteri", "size of the text"}, 16, 48,
