@@ -5,6 +5,7 @@
 #include "render/gpu_geometry.hpp"
 #include "render/render_target.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -12,10 +13,15 @@ namespace render {
 
 namespace {
 
-// What a first frame would draw into, where the context has no surface of the window's own format.
-class Canvas {
+constexpr std::size_t mostAhead = 64;  // that wait; more would be compiled long after anybody wants them
+
+}  // namespace
+
+// What a picture is drawn into, small: drivers compile for its format, and keep the result (Mesa in its shader cache, where the
+// thread that draws finds it).
+class CompileAside::Canvas {
   public:
-    Canvas() {
+    Canvas() : target_(16, 16, PixelFormat::codes, false) {
         glGenVertexArrays(1, &vertexArray_);
         glBindVertexArray(vertexArray_);
         glGenBuffers(1, &vertices_);
@@ -23,9 +29,7 @@ class Canvas {
         const float nothing[18] = {};
         glBufferData(GL_ARRAY_BUFFER, sizeof nothing, nothing, GL_STATIC_DRAW);
         describeVertices();
-        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-            target_.emplace(16, 16, PixelFormat::codes,
-                            false);  // as frames without a window have it, and bound
+        target_.bind();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         glEnable(GL_CULL_FACE);
@@ -47,10 +51,8 @@ class Canvas {
 
   private:
     GLuint vertexArray_ = 0, vertices_ = 0;
-    std::optional<RenderTarget> target_;
+    RenderTarget target_;
 };
-
-}  // namespace
 
 CompileAside::CompileAside() {
     if (usable())
@@ -69,19 +71,116 @@ CompileAside::~CompileAside() {
         glDeleteProgram(done.program.id);
 }
 
-void CompileAside::ask(ProgramKey key, std::function<Program()> build) {
+void CompileAside::ask(Urgency urgency, const ProgramKey& key, std::function<Program()> build) {
     {
         const std::lock_guard lock(mutex_);
-        tasks_.push_back({std::move(key), std::move(build)});
+        if (raise(urgency, key))
+            return;
+        std::deque<Task>& queue = queues_[static_cast<std::size_t>(urgency)];
+        queue.push_back({key, std::move(build)});
+        if (urgency == Urgency::ahead && queue.size() > mostAhead)
+            queue.pop_front();
     }
     changed_.notify_all();
 }
 
-std::vector<CompileAside::Done> CompileAside::take(bool wait) {
-    std::unique_lock lock(mutex_);
-    if (wait)
-        changed_.wait(lock, [this] { return tasks_.empty() && !busy_; });
+// Whether the program is asked for already, at least as urgently as it is wanted after this call.
+bool CompileAside::raise(Urgency urgency, const ProgramKey& key) {
+    if (atHand_ == key && !dropAtHand_) {
+        atHandUrgency_ = std::min(atHandUrgency_, urgency);
+        return true;
+    }
+    for (std::size_t i = 0; i < queues_.size(); ++i) {
+        std::deque<Task>& queue = queues_[i];
+        const auto task =
+            std::find_if(queue.begin(), queue.end(), [&](const Task& t) { return t.key == key; });
+        if (task == queue.end())
+            continue;
+        if (i > static_cast<std::size_t>(urgency)) {
+            queues_[static_cast<std::size_t>(urgency)].push_back(std::move(*task));
+            queue.erase(task);
+        }
+        return true;
+    }
+    return std::any_of(done_.begin(), done_.end(), [&](const Done& done) { return done.key == key; });
+}
+
+std::vector<CompileAside::Done> CompileAside::take() {
+    const std::lock_guard lock(mutex_);
     return std::exchange(done_, {});
+}
+
+bool CompileAside::idle() const {
+    return !atHand_ && std::all_of(queues_.begin(), queues_.end(), [](const auto& q) { return q.empty(); });
+}
+
+bool CompileAside::asked(const ProgramKey& key) const {
+    return atHand_ == key ||
+           std::any_of(queues_.begin(), queues_.end(), [&key](const std::deque<Task>& queue) {
+               return std::any_of(queue.begin(), queue.end(), [&key](const Task& t) { return t.key == key; });
+           });
+}
+
+void CompileAside::wait(const ProgramKey* key) {
+    std::unique_lock lock(mutex_);
+    if (key != nullptr && asked(*key))
+        raise(Urgency::wanted, *key);
+    changed_.wait(lock, [this, key] { return key != nullptr ? !asked(*key) : idle(); });
+}
+
+void CompileAside::dropAll() {
+    const std::lock_guard lock(mutex_);
+    for (std::deque<Task>& queue : queues_)
+        queue.clear();
+    dropAtHand_ = atHand_.has_value();
+    for (const Done& done : done_)
+        glDeleteProgram(done.program.id);
+    done_.clear();
+}
+
+bool CompileAside::isWanted() const {
+    const std::lock_guard lock(mutex_);
+    return !queues_[0].empty() || (atHand_ && !dropAtHand_ && atHandUrgency_ == Urgency::wanted);
+}
+
+void CompileAside::onWanted(std::function<void()> call) {
+    const std::lock_guard lock(mutex_);
+    onWanted_ = std::move(call);
+}
+
+CompileAside::Task CompileAside::next() {
+    const auto queue = std::find_if(queues_.begin(), queues_.end(), [](const auto& q) { return !q.empty(); });
+    Task task = std::move(queue->front());
+    queue->pop_front();
+    atHand_ = task.key;
+    atHandUrgency_ = static_cast<Urgency>(queue - queues_.begin());
+    dropAtHand_ = false;
+    return task;
+}
+
+// Keeps what a task has come to, unless it is no longer asked for, and answers whether a picture waits for it.
+bool CompileAside::keep(Done done) {
+    const bool dropped = std::exchange(dropAtHand_, false);
+    atHand_.reset();
+    if (dropped)
+        glDeleteProgram(done.program.id);
+    else
+        done_.push_back(std::move(done));
+    return !dropped && atHandUrgency_ == Urgency::wanted;
+}
+
+CompileAside::Done CompileAside::work(const Task& task, const Canvas* canvas) {
+    Done done{task.key, {}, true, "the driver has no memory for another context"};
+    try {
+        if (canvas != nullptr) {
+            done.program = task.build();
+            canvas->draw(done.program);
+            done.failed = false;
+        }
+    } catch (const std::exception& error) {
+        done.error = error.what();
+    }
+    return done;
 }
 
 void CompileAside::run() {
@@ -95,26 +194,20 @@ void CompileAside::run() {
         }
         std::unique_lock lock(mutex_);
         for (;;) {
-            changed_.wait(lock, [this] { return leave_ || !tasks_.empty(); });
+            changed_.wait(lock, [this] { return leave_ || !idle(); });
             if (leave_)
                 break;
-            Task task = std::move(tasks_.front());
-            tasks_.pop_front();
-            busy_ = true;
+            const Task task = next();
             lock.unlock();
-            Done done{std::move(task.key), {}, !canvas};
-            try {
-                if (canvas) {
-                    done.program = task.build();
-                    canvas->draw(done.program);
-                }
-            } catch (const std::exception&) {
-                done.failed = true;  // compiled where it is needed, it will say why
-            }
+            Done done = work(task, canvas ? &*canvas : nullptr);
             lock.lock();
-            done_.push_back(std::move(done));
-            busy_ = false;
+            const std::function<void()> tell = keep(std::move(done)) ? onWanted_ : nullptr;
             changed_.notify_all();
+            if (tell) {
+                lock.unlock();
+                tell();
+                lock.lock();
+            }
         }
     }
     if (current)

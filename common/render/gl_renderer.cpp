@@ -59,8 +59,6 @@ RenderTarget& GlRenderer::target(const FrameRequest& request, bool countNonfinit
     return *target_;
 }
 
-GlRenderer::~GlRenderer() { glDeleteTextures(1, &shown_); }
-
 image::Frame GlRenderer::render(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                                 const lighting::Settings& settings, const FrameRequest& request) {
     Stopwatch watch;
@@ -73,15 +71,21 @@ image::Frame GlRenderer::render(const THREE::Scene& scene, const THREE::Perspect
 
 image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting::Settings& settings,
                                 const FrameRequest& request) {
-    RenderTarget& into = target(request, settings.countNonfinite);
+    const Part whole{&plan, &settings, 0, request.width};
+    return render({&whole, 1}, request);
+}
+
+image::Frame GlRenderer::render(std::span<const Part> parts, const FrameRequest& request) {
+    const bool countNonfinite = parts[0].settings->countNonfinite;
+    RenderTarget& into = target(request, countNonfinite);
     into.bind();
-    draw(plan, settings, request.width, request.height);
+    draw(parts, request.width, request.height);
     Stopwatch watch;
     glFinish();  // reading would wait just so; this tells the two apart
     stats_.finishMilliseconds = watch.lap();
     image::Frame frame = into.read();
     stats_.readMilliseconds = watch.lap();
-    if (settings.countNonfinite)
+    if (countNonfinite)
         stats_.nonfinite = into.countNonfinite();
     if (glGetError() == GL_OUT_OF_MEMORY)
         throw NoRenderer(
@@ -91,69 +95,68 @@ image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting:
 
 void GlRenderer::renderOnly(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
                             const lighting::Settings& settings, const FrameRequest& request) {
+    const lighting::FramePlan plan = lighting::planFrame(scene, camera, settings);
+    const Part whole{&plan, &settings, 0, request.width};
     target(request, settings.countNonfinite).bind();
-    draw(lighting::planFrame(scene, camera, settings), settings, request.width, request.height);
+    draw({&whole, 1}, request.width, request.height);
     glFinish();
 }
 
-void GlRenderer::drawToWindow(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
-                              int height) {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    draw(plan, settings, width, height);
-}
-
-void GlRenderer::showInWindow(const image::Frame& frame) {
-    const image::Bytes codes = image::toBytes(frame);
-    std::vector<std::uint8_t> upwards;  // the window's first row is the lowest
-    upwards.reserve(codes.size());
-    const auto row = static_cast<std::ptrdiff_t>(frame.width) * 3;
-    for (auto end = codes.end(); end != codes.begin(); end -= row)
-        upwards.insert(upwards.end(), end - row, end);
-    if (shown_ == 0)
-        glGenTextures(1, &shown_);
-    glBindTexture(GL_TEXTURE_2D, shown_);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, frame.width, frame.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
-                 upwards.data());
-    GLuint reading = 0;
-    glGenFramebuffers(1, &reading);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, reading);
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shown_, 0);
-    glDisable(GL_SCISSOR_TEST);
-    glBlitFramebuffer(0, 0, frame.width, frame.height, 0, 0, frame.width, frame.height, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteFramebuffers(1, &reading);
-}
-
-void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
-                      int height) {
-    const std::size_t lights = plan.directional.size() + plan.point.size();
-    if (lights > mostLights)
-        throw NoRenderer(
-            "the scene has " + std::to_string(lights) + " lights; expected at most " +
-            std::to_string(mostLights) +
-            ", because drivers end a shader's loop there without a word. Leave some out, or draw with "
-            "--renderer reference.");
+// Throws NoRenderer before anything is drawn.
+void GlRenderer::draw(std::span<const Part> parts, int width, int height) {
+    for (const Part& part : parts) {
+        const std::size_t lights = part.plan->directional.size() + part.plan->point.size();
+        if (lights > mostLights)
+            throw NoRenderer(
+                "the scene has " + std::to_string(lights) + " lights; expected at most " +
+                std::to_string(mostLights) +
+                ", because drivers end a shader's loop there without a word. Leave some out, or draw with "
+                "--renderer reference.");
+    }
     const auto uploaded = [this] {
-        return geometries_.uploadedBytes() + lights_.uploadedBytes() + clusters_.uploadedBytes();
+        return geometries_.uploadedBytes() + partLights_[0].uploadedBytes() + partLights_[1].uploadedBytes() +
+               clusters_.uploadedBytes();
     };
     const std::uint64_t before = uploaded();
     stats_ = FrameStats{};
-    stats_.meshesSkipped = plan.meshesSkipped;
-    stats_.lightsUsed = plan.lightsUsed;
-    stats_.lightsSkipped = plan.lightsSkipped;
-    stats_.pairsSkipped = plan.pairsSkipped;
-    stats_.sidesSkipped = plan.sidesSkipped;
-    stats_.cutCodes = plan.cutCodes;
-    stats_.skipped = plan.skipped;
-    stats_.shiny = plan.shiny;
+    programs_.beginFrame();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        lights_ = &partLights_[std::min(i, partLights_.size() - 1)];
+        drawPart(parts[i], width, height);
+    }
+    glBindVertexArray(0);
+    glDisable(GL_SCISSOR_TEST);
+    geometries_.endFrame();
+    stats_.uploadedBytes = uploaded() - before;
+    stats_.compileMilliseconds = programs_.compileMilliseconds();
+}
+
+// What a plan adds to the frame's stats before anything of it is drawn.
+void GlRenderer::count(const lighting::FramePlan& plan) {
+    stats_.meshesSkipped += plan.meshesSkipped;
+    stats_.lightsUsed += plan.lightsUsed;
+    stats_.lightsSkipped += plan.lightsSkipped;
+    stats_.pairsSkipped += plan.pairsSkipped;
+    stats_.sidesSkipped += plan.sidesSkipped;
+    stats_.cutCodes = std::max(stats_.cutCodes, plan.cutCodes);
+    stats_.skipped.insert(stats_.skipped.end(), plan.skipped.begin(), plan.skipped.end());
+    stats_.shiny |= plan.shiny;
+}
+
+void GlRenderer::drawPart(const Part& part, int width, int height) {
+    const lighting::FramePlan& plan = *part.plan;
+    const lighting::Settings& settings = *part.settings;
+    count(plan);
     glViewport(0, 0, width, height);
     glEnable(GL_DEPTH_TEST);  // a panel drawn over the last frame may have changed it
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
+    if (part.firstColumn == 0 && part.endColumn == width) {
+        glDisable(GL_SCISSOR_TEST);
+    } else {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(part.firstColumn, 0, part.endColumn - part.firstColumn, height);
+    }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const glm::vec3 background(plan.background);
     const float color[] = {background.r, background.g, background.b, 1};
@@ -165,34 +168,34 @@ void GlRenderer::draw(const lighting::FramePlan& plan, const lighting::Settings&
         glClearBufferfv(GL_COLOR, 1, unmarked);
 
     inUse_ = {};
-    lights_.set(plan);
+    lights_->set(plan);
     if (std::any_of(plan.draws.begin(), plan.draws.end(),
                     [](const lighting::Draw& mesh) { return mesh.variant.clustered != 0; })) {
         clusters_.set(lighting::clusterLights(plan, settings.skip), width, height, settings.skip);
-        stats_.clusters = clusters_.clusters().count();
-        stats_.clusterEntries = clusters_.clusters().lights.size();
+        stats_.clusters += clusters_.clusters().count();
+        stats_.clusterEntries += clusters_.clusters().lights.size();
     }
     for (const lighting::Draw& mesh : plan.draws)
         drawMesh(mesh, plan.eye, settings);
-    glBindVertexArray(0);
-    geometries_.endFrame();
-    stats_.uploadedBytes = uploaded() - before;
-    stats_.compileMilliseconds = programs_.compileMilliseconds();
+}
+
+// Whether the lights have stood still for long enough to be compiled in: where that happens aside, while something else is drawn.
+bool GlRenderer::worthCompiling(std::size_t lights) const {
+    return lights > constantsAtOnce || programs_.aside() ? lights_->lasting() : lights_->settled();
 }
 
 // Makes the program of a draw the one in use, with its lights; where `reuse`, only if the draw before had another.
 const Program& GlRenderer::useProgram(const lighting::Draw& draw, bool reuse) {
     if (reuse && inUse_.program != nullptr && inUse_.variant == draw.variant && inUse_.lights == draw.lights)
         return *inUse_.program;
-    const LightNumbers& lights = lights_.of(draw.lights);
+    const LightNumbers& lights = lights_->of(draw.lights);
     lighting::Variant variant = draw.variant;
-    const bool worthCompiling = lights.count() <= constantsAtOnce ? lights_.settled() : lights_.lasting();
-    if (variant.storage == lighting::LightStorage::constants && !worthCompiling)
+    if (variant.storage == lighting::LightStorage::constants && !worthCompiling(lights.count()))
         variant.storage = lighting::LightStorage::uniforms;
     Program& program = programs_.get(variant, lights);
     glUseProgram(program.id);
     if (variant.lit)
-        lights_.use(program, draw.lights, reuse);
+        lights_->use(program, draw.lights, reuse);
     if (variant.clustered != 0)
         clusters_.use(program);
     stats_.variants.insert(variant);

@@ -9,7 +9,11 @@
 #include "render/render_target.hpp"
 #include "render/renderer.hpp"
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace render {
 
@@ -18,7 +22,7 @@ class GlRenderer final : public Renderer {
   public:
     /// Compile::aside is for windows: no frame waits for a program that another one can stand in for.
     explicit GlRenderer(std::string shaderDirectory, Compile when = Compile::atOnce);
-    ~GlRenderer() override;
+    ~GlRenderer() override = default;
     GlRenderer(const GlRenderer&) = delete;
     GlRenderer& operator=(const GlRenderer&) = delete;
 
@@ -36,22 +40,57 @@ class GlRenderer final : public Renderer {
     /// Draws a plan instead of a scene; tests change plans by hand.
     image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
                         const FrameRequest& request);
-    /// Draws into the window whose context is current.
+    /// Draws one part or two into one frame: the bytes of each plan's own frame in its columns; others are not defined. Nonfinite
+    /// pixels are counted if the first part's settings say so.
+    image::Frame render(std::span<const Part> parts, const FrameRequest& request);
+
+    // The window's picture: it is drawn when something has changed, into a target of its own, and shown as often as the panel over it.
+
+    /// Draws the picture and returns true; or returns false and leaves it as it was, because a program is missing and is being compiled
+    /// aside now: try again when onCompiled calls. A first picture, or one of another size, is drawn at once, whatever has to be compiled.
+    /// One part or two, which cover all columns. Throws NoRenderer, and ShaderError where a shader file does not compile, again and again
+    /// until reload(); the picture before stays, unless this was to be the first or of another size.
+    bool drawPicture(std::span<const Part> parts, int width, int height);
+    /// Makes a frame of another renderer the picture.
+    void setPicture(const image::Frame& frame);
+    /// Copies the picture into the window whose context is current; does nothing where there is none.
+    void showPicture();
+    /// The picture, read back. Throws std::logic_error where there is none.
+    image::Frame picture() const;
+    /// Has what a plan needs compiled aside when there is nothing else to do, so that its picture is drawn at once if it is ever wanted.
+    void prepare(const lighting::FramePlan& plan);
+    /// Whether drawPicture() has left the picture as it was for a program that is not there yet.
+    bool compiling() const { return programs_.compiling(); }
+    /// Is called, on another thread, when it is there: wakes a loop that sleeps. Not while it is being set.
+    void onCompiled(std::function<void()> call) { programs_.onCompiled(std::move(call)); }
+    /// Takes shader files as they are now: those of the last frame at once, the others when they are wanted. If one does not compile,
+    /// everything stays as it was, and `error` has its file, line, the driver's message, and the lines around it. The picture stays too,
+    /// until drawPicture() is called.
+    bool reload(std::string& error) { return programs_.reload(error); }
+
+    /// drawPicture() that waits for what has to be compiled, and showPicture().
     void drawToWindow(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
                       int height);
-    /// Copies a frame of another renderer into the window whose context is current.
+    /// setPicture() and showPicture().
     void showInWindow(const image::Frame& frame);
 
   private:
-    void draw(const lighting::FramePlan& plan, const lighting::Settings& settings, int width, int height);
+    void draw(std::span<const Part> parts, int width, int height);
+    void drawPart(const Part& part, int width, int height);
+    void count(const lighting::FramePlan& plan);
+    bool ready(std::span<const Part> parts);
+    void drawIntoPicture(std::span<const Part> parts, int width, int height);
+    RenderTarget& pictureTarget(int width, int height);
     RenderTarget& target(const FrameRequest& request, bool countNonfinite);
     void drawMesh(const lighting::Draw& draw, const glm::dvec3& eyePosition,
                   const lighting::Settings& settings);
     const Program& useProgram(const lighting::Draw& draw, bool reuse);
+    bool worthCompiling(std::size_t lights) const;
 
     Programs programs_;
     GpuGeometries geometries_;
-    GpuLights lights_;
+    std::array<GpuLights, 2> partLights_;  // each part's, so that none seem to move from one to the other
+    GpuLights* lights_ = partLights_.data();  // of the part that is being drawn
     GpuClusters clusters_;
     // What the last draw of this frame used: most draws want the same.
     struct InUse {
@@ -60,7 +99,8 @@ class GlRenderer final : public Renderer {
         const Program* program = nullptr;
     } inUse_;
     std::unique_ptr<RenderTarget> target_;
-    GLuint shown_ = 0;  // texture of showInWindow
+    std::unique_ptr<RenderTarget> picture_;
+    bool pictureDrawn_ = false;
     FrameStats stats_;
 };
 

@@ -32,6 +32,19 @@ std::vector<float> constantsOf(const lighting::Variant& variant, const LightNumb
     return out;
 }
 
+// The program that draws a variant whatever the numbers of its lights are.
+ProgramKey standIn(lighting::Variant variant) {
+    if (variant.storage == lighting::LightStorage::constants)
+        variant.storage = lighting::LightStorage::uniforms;
+    return {variant, {}};
+}
+
+void forget(std::map<ProgramKey, Program>& programs) {
+    for (const auto& [key, program] : programs)
+        glDeleteProgram(program.id);
+    programs.clear();
+}
+
 }  // namespace
 
 Programs::Programs(std::string shaderDirectory, Compile when) : directory_(std::move(shaderDirectory)) {
@@ -47,35 +60,71 @@ Programs::Programs(std::string shaderDirectory, Compile when) : directory_(std::
 
 Programs::~Programs() {
     aside_.reset();  // before the programs that it may still compile have nobody to go to
-    for (const auto& [key, program] : programs_)
-        glDeleteProgram(program.id);
+    forget(programs_);
 }
 
 Program& Programs::get(const lighting::Variant& variant, const LightNumbers& lights) {
     const ProgramKey key{variant, constantsOf(variant, lights)};
-    collect(false);
+    collect();
     Program* program = find(key);
-    if (aside_ && variant.storage == lighting::LightStorage::constants) {
-        ProgramKey general{variant, {}};
-        general.first.storage = lighting::LightStorage::uniforms;
-        Program* const stand = find(general);
-        if (stand == nullptr) {
-            buildAside(general, {});  // for when a light begins to move
-        } else if (program == nullptr) {
-            buildAside(key, lights);
-            program = stand;
-        }
-    }
-    if (program == nullptr && underWay_.contains(key)) {
-        collect(true);
-        program = find(key);
+    if (program == nullptr && aside_ && variant.storage == lighting::LightStorage::constants) {
+        program = &make(standIn(variant), {});
+        if (!failed_.contains(key))
+            aside_->ask(Urgency::better, key, [this, variant, lights] { return build(variant, lights); });
     }
     if (program == nullptr)
-        program = &buildNow(key, lights);
-    program->lastUsed = ++calls_;
-    if (programs_.size() > mostPrograms)
-        forgetOldest();
+        program = &make(key, lights);
+    program->lastUsed = program->lastDrawn = ++calls_;
     return *program;
+}
+
+bool Programs::ready(const lighting::Variant& variant) {
+    if (!aside_)
+        return true;
+    collect();
+    const ProgramKey key = standIn(variant);
+    if (find(key) != nullptr)
+        return true;
+    if (const auto failure = failed_.find(key); failure != failed_.end())
+        throw ShaderError(failure->second);
+    aside_->ask(Urgency::wanted, key, [this, general = key.first] { return build(general, {}); });
+    return false;
+}
+
+void Programs::prepare(const lighting::Variant& variant) {
+    const ProgramKey key = standIn(variant);
+    if (aside_ && find(key) == nullptr && !failed_.contains(key))
+        aside_->ask(Urgency::ahead, key, [this, general = key.first] { return build(general, {}); });
+}
+
+// All programs come from files as they are now, or all from files as they were.
+bool Programs::reload(std::string& error) {
+    std::map<ProgramKey, Program> again;
+    try {
+        for (const auto& [key, program] : programs_)
+            if (const ProgramKey general = standIn(key.first);
+                program.lastDrawn > frameBegan_ && !again.contains(general))
+                again.emplace(general, build(general.first, {}));
+    } catch (const ShaderError& failure) {
+        error = failure.what();
+        forget(again);
+        return false;
+    }
+    if (aside_) {
+        aside_->dropAll();
+        forget(again);  // what draws with them is still to be compiled, by whom nobody waits for
+    }
+    forget(programs_);
+    programs_ = std::move(again);
+    failed_.clear();
+    return true;
+}
+
+bool Programs::compiling() const { return aside_ && aside_->isWanted(); }
+
+void Programs::onCompiled(std::function<void()> call) {
+    if (aside_)
+        aside_->onWanted(std::move(call));
 }
 
 Program* Programs::find(const ProgramKey& key) {
@@ -83,33 +132,47 @@ Program* Programs::find(const ProgramKey& key) {
     return known == programs_.end() ? nullptr : &known->second;
 }
 
-Program& Programs::buildNow(const ProgramKey& key, const LightNumbers& lights) {
+// The program, whoever has to wait for it.
+Program& Programs::make(const ProgramKey& key, const LightNumbers& lights) {
+    if (Program* const known = find(key))
+        return *known;
     const auto start = std::chrono::steady_clock::now();
-    Program& program = programs_.emplace(key, build(key.first, lights)).first->second;
+    if (aside_) {
+        aside_->wait(&key);
+        collect();
+    }
+    if (find(key) == nullptr)
+        keep(key, build(key.first, lights));
     milliseconds_ +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return program;
+    return *find(key);
 }
 
-void Programs::buildAside(const ProgramKey& key, const LightNumbers& lights) {
-    if (!failed_.contains(key) && underWay_.insert(key).second)
-        aside_->ask(key, [this, variant = key.first, lights] { return build(variant, lights); });
-}
-
-void Programs::collect(bool wait) {
+void Programs::collect() {
     if (!aside_)
         return;
-    for (CompileAside::Done& done : aside_->take(wait)) {
-        underWay_.erase(done.key);
+    for (CompileAside::Done& done : aside_->take())
         if (done.failed)
-            failed_.insert(
-                done.key);  // its stand-in stays; who has none compiles at once, and says what is wrong
-        else if (!programs_.emplace(std::move(done.key), done.program).second)
-            glDeleteProgram(done.program.id);  // there is one by now
-    }
+            failed_.insert_or_assign(done.key, done.error);
+        else
+            keep(std::move(done.key), done.program);
 }
 
-void Programs::finish() { collect(true); }
+// As if it had just been used: what was prepared is not forgotten before what nobody wants any more.
+void Programs::keep(ProgramKey key, const Program& program) {
+    const auto [place, isNew] = programs_.emplace(std::move(key), program);
+    if (!isNew)
+        glDeleteProgram(program.id);  // there is one by now
+    place->second.lastUsed = ++calls_;
+    if (programs_.size() > mostPrograms)
+        forgetOldest();
+}
+
+void Programs::finish() {
+    if (aside_)
+        aside_->wait();
+    collect();
+}
 
 // Lights that were moved by hand leave a program behind wherever they stood.
 void Programs::forgetOldest() {

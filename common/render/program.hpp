@@ -7,9 +7,9 @@
 
 #include <GLES3/gl3.h>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,7 +38,8 @@ struct Program {
     GLint clusterScale = -1;
     bool constants = false;  ///< lights that stand still are compiled in
     LightNumbers lights;  ///< what the light uniforms hold now, so that nothing is uploaded twice
-    std::uint64_t lastUsed = 0;  ///< counts calls of Programs::get
+    std::uint64_t lastUsed = 0;  ///< a count of Programs that grows
+    std::uint64_t lastDrawn = 0;  ///< the same, of Programs::get alone
 };
 
 /// What tells programs apart: the variant, and the numbers of the lights that are compiled in.
@@ -55,8 +56,8 @@ class CompileAside;
 /// The programs of one context.
 class Programs {
   public:
-    /// Compile::aside keeps for each variant whose lights are constants the same with lights as uniforms, and draws with that one
-    /// while the other is being compiled on a thread of its own.
+    /// Compile::aside compiles for each variant whose lights are constants the same with lights as uniforms, which serves any numbers,
+    /// and draws with that one while the other is being compiled on a thread of its own.
     Programs(std::string shaderDirectory, Compile when);
     ~Programs();
     Programs(const Programs&) = delete;
@@ -65,6 +66,22 @@ class Programs {
     /// The program of a variant; where lights are constants, with those of `lights` that stand still compiled in. Throws
     /// ShaderError with file:line if it does not compile.
     Program& get(const lighting::Variant& variant, const LightNumbers& lights);
+    /// Whether get() has a program of this variant, or one that stands in for it, without compiling. If not, it is being compiled aside
+    /// from now on, or, without a thread for that, left to get(). Throws ShaderError if it was, and failed.
+    bool ready(const lighting::Variant& variant);
+    /// Has a program that stands in for the variant compiled aside when nothing else is to do.
+    void prepare(const lighting::Variant& variant);
+    /// Reads and compiles anew the programs that get() returned since beginFrame(); all others when they are wanted. If one fails, everything
+    /// stays as it was, and `error` says file:line and what is wrong.
+    bool reload(std::string& error);
+    void beginFrame() { frameBegan_ = calls_; }
+
+    /// Whether something is compiled on a thread of its own.
+    bool aside() const { return aside_ != nullptr; }
+    /// Whether what ready() asked for is not there yet.
+    bool compiling() const;
+    /// Is called, on another thread, when it is there.
+    void onCompiled(std::function<void()> call);
     /// More lights than this go into a texture: what the driver's uniforms hold, less some for everything else.
     int uniformLights() const { return uniformLights_; }
     /// Waits for what is being compiled aside.
@@ -75,17 +92,16 @@ class Programs {
   private:
     Program* find(const ProgramKey& key);
     Program build(const lighting::Variant& variant, const LightNumbers& lights) const;
-    Program& buildNow(const ProgramKey& key, const LightNumbers& lights);
-    void buildAside(const ProgramKey& key, const LightNumbers& lights);
-    void collect(bool wait);
+    Program& make(const ProgramKey& key, const LightNumbers& lights);
+    void keep(ProgramKey key, const Program& program);
+    void collect();
     void forgetOldest();
     GLuint compile(GLenum stage, const std::string& file, const std::string& preamble) const;
 
     std::string directory_;
     std::map<ProgramKey, Program> programs_;
-    std::set<ProgramKey> underWay_;  // asked for aside
-    std::set<ProgramKey> failed_;  // could not be compiled aside
-    std::uint64_t calls_ = 0;
+    std::map<ProgramKey, std::string> failed_;  // could not be compiled aside, and why
+    std::uint64_t calls_ = 0, frameBegan_ = 0;
     int uniformLights_ = 0;
     double milliseconds_ = 0;
     std::unique_ptr<CompileAside> aside_;  // none: everything at once

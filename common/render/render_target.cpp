@@ -97,6 +97,40 @@ image::Frame RenderTarget::read() const {
     return {width_, height_, readRgb<std::uint8_t>(width_, height_, GL_UNSIGNED_BYTE)};
 }
 
+void RenderTarget::write(const image::Frame& frame) {
+    const image::Bytes codes = image::toBytes(frame);
+    std::vector<std::uint8_t> upwards;  // the target's first row is the lowest
+    upwards.reserve(codes.size());
+    const auto row = static_cast<std::ptrdiff_t>(frame.width) * 3;
+    for (auto end = codes.end(); end != codes.begin(); end -= row)
+        upwards.insert(upwards.end(), end - row, end);
+    GLuint texture = 0, reading = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, frame.width, frame.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 upwards.data());
+    glGenFramebuffers(1, &reading);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, reading);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    bind();
+    glDeleteFramebuffers(1, &reading);
+    glDeleteTextures(1, &texture);
+}
+
+void RenderTarget::show() const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 long long RenderTarget::countNonfinite() const {
     bind();
     glReadBuffer(GL_COLOR_ATTACHMENT1);

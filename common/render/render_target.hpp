@@ -27,6 +27,10 @@ class RenderTarget {
     bool countsNonfinite() const { return renderbuffers_[2] != 0; }
     /// The picture, top row first.
     image::Frame read() const;
+    /// Puts a picture of the same size, top row first, into it; as 8-bit codes.
+    void write(const image::Frame& frame);
+    /// Copies it into the window whose context is current, which is bound then.
+    void show() const;
     /// How many pixels of the second target are marked.
     long long countNonfinite() const;
 

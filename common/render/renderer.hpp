@@ -46,6 +46,13 @@ struct FrameRequest {
     bool floats = false;  ///< linear, unclamped floats instead of 8-bit codes
 };
 
+/// A plan's share of a picture: some of its columns, as they would be in the whole picture.
+struct Part {
+    const lighting::FramePlan* plan;
+    const lighting::Settings* settings;  ///< that it was planned with
+    int firstColumn, endColumn;  ///< from the left, 0 <= firstColumn <= endColumn <= the picture's width
+};
+
 /// Is told the share of a slow frame that is done, 0 to 1.
 using Progress = std::function<void(double share)>;
 
@@ -66,5 +73,9 @@ class Renderer {
     /// The driver's own name for itself.
     virtual std::string name() const = 0;
 };
+
+/// Two frames of one size and kind as one: the columns before `column` of the left one, the others of the right one. As the parts of
+/// two plans are drawn, for renderers that have no plans. Throws image::Error if they do not fit together.
+image::Frame sideBySide(const image::Frame& left, const image::Frame& right, int column);
 
 }  // namespace render
