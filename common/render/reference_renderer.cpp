@@ -36,6 +36,8 @@ std::optional<image::Frame> drawReference(const lighting::reference::Reference<d
     } catch (const Stopped&) {
         return std::nullopt;
     }
+    if (stop != nullptr && *stop)
+        return std::nullopt;
     if (nonfinite != nullptr)
         *nonfinite = bad;
     image::Frame frame{reference.width(), reference.height(), std::move(numbers)};

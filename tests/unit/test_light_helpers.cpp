@@ -85,7 +85,7 @@ TEST(LightHelpers, ASquareThatFacesTheFocusForDirectionalLight) {
     EXPECT_NEAR(offset.length(), lab::helperRadius(l.camera, l.focus), 1e-12);
     EXPECT_NEAR(Vector3(offset).normalize().dot(w), 1, 1e-12);
     ASSERT_EQ(sun.segments.size(), 5U);
-    for (int i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(Vector3(sun.segments[i].from).sub(sun.place).dot(w), 0, 1e-12) << "at right angles";
         EXPECT_EQ(sun.segments[i].to, sun.segments[(i + 1) % 4].from);
     }
@@ -93,7 +93,8 @@ TEST(LightHelpers, ASquareThatFacesTheFocusForDirectionalLight) {
     EXPECT_EQ(sun.segments[4].to, l.focus);
     // From straight above lookAt has no side to choose, and still finds one.
     l.sun.position.set(0, 1, 0);
-    for (const lab::Segment& s : l.helpers().at(0).segments)
+    const LightHelper above = l.helpers().at(0);
+    for (const lab::Segment& s : above.segments)
         EXPECT_TRUE(std::isfinite(s.from.x + s.from.y + s.from.z));
 }
 
