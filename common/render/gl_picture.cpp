@@ -55,6 +55,12 @@ image::Frame GlRenderer::picture() const {
     return picture_->read();
 }
 
+std::array<std::uint8_t, 3> GlRenderer::pixel(int x, int y) const {
+    if (!pictureDrawn_)
+        throw std::logic_error("there is no picture yet; expected drawPicture() or setPicture() before.");
+    return picture_->pixel(x, y);
+}
+
 void GlRenderer::prepare(const lighting::FramePlan& plan) {
     for (const lighting::Draw& draw : plan.draws)
         programs_.prepare(draw.variant);

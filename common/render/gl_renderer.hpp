@@ -57,6 +57,8 @@ class GlRenderer final : public Renderer {
     void showPicture();
     /// The picture, read back. Throws std::logic_error where there is none.
     image::Frame picture() const;
+    /// The 8-bit code of one of its pixels; 0,0 is the top left. Throws std::logic_error where there is no picture.
+    std::array<std::uint8_t, 3> pixel(int x, int y) const;
     /// Has what a plan needs compiled aside when there is nothing else to do, so that its picture is drawn at once if it is ever wanted.
     void prepare(const lighting::FramePlan& plan);
     /// Whether drawPicture() has left the picture as it was for a program that is not there yet.

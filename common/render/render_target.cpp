@@ -97,6 +97,14 @@ image::Frame RenderTarget::read() const {
     return {width_, height_, readRgb<std::uint8_t>(width_, height_, GL_UNSIGNED_BYTE)};
 }
 
+std::array<std::uint8_t, 3> RenderTarget::pixel(int x, int y) const {
+    bind();
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    std::array<std::uint8_t, 4> rgba{};
+    glReadPixels(x, height_ - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return {rgba[0], rgba[1], rgba[2]};
+}
+
 void RenderTarget::write(const image::Frame& frame) {
     const image::Bytes codes = image::toBytes(frame);
     std::vector<std::uint8_t> upwards;  // the target's first row is the lowest

@@ -5,6 +5,8 @@
 #include "image/frame.hpp"
 
 #include <GLES3/gl3.h>
+#include <array>
+#include <cstdint>
 
 namespace render {
 
@@ -27,6 +29,8 @@ class RenderTarget {
     bool countsNonfinite() const { return renderbuffers_[2] != 0; }
     /// The picture, top row first.
     image::Frame read() const;
+    /// One of its pixels as an 8-bit code; 0,0 is the top left, and it must be inside. Of a target of codes only.
+    std::array<std::uint8_t, 3> pixel(int x, int y) const;
     /// Puts a picture of the same size, top row first, into it; as 8-bit codes.
     void write(const image::Frame& frame);
     /// Copies it into the window whose context is current, which is bound then.

@@ -35,15 +35,12 @@ TEST(Commands, EveryWrongLineIsAnsweredWithWhatWasExpected) {
           "light 2 color 0xGG0000", "light 2 color 1,2", "light 2 color -1,0,0", "light 2 intensity -1", "light 2 position 1,2",
           "light 2 position nan,0,0", "light 2 position 1e37,0,0", "light 1 direction 0,0,0", "light 1 position 1,2,3",
           "light add lamp", "light 1 remove", "light 0 remove", "camera 1,2,3", "camera 1,2,3,1,2,3", "camera 0,0,5,0,0,0,180",
-          "slider strength 6", "slider strength", "slider sideways", "view sideways", "only light 4", "split maybe", "undo", "redo",
+          "slider strength 6", "slider sideways", "view sideways", "only light 4", "split maybe", "undo", "redo",
           "load", "load /nowhere.json", "shot a b c", "shot a.png 0x5", "probe 2 0", "probe 1", "choose 4", "lesson nonsense",
           "next more", "font size 49", "font size nan", "time inf", "jitter -1", "decay -1", "pin 0 0 0", "'unfinished",
           "divider 1.5", "last term nothing", "shading sideways", "terms", "terms -nothing", "quit now", "material 7 color red"}) {
         const std::string answer = desk.say(line);
-        if (line == std::string("slider strength"))
-            EXPECT_EQ(answer, "ok slider strength 1");
-        else
-            EXPECT_EQ(answer.substr(0, 6), "error ") << line << " -> " << answer;
+        EXPECT_EQ(answer.substr(0, 6), "error ") << line << " -> " << answer;
         EXPECT_EQ(answer.find('\n'), std::string::npos);
     }
     EXPECT_EQ(desk.session->state(), before);
@@ -173,8 +170,10 @@ TEST(Commands, TheTableIsComplete) {
     Desk desk;
     desk.begin();
     std::set<std::string> names;
-    for (lab::Control& control : desk.session->table.all()) {
+    for (const lab::Control& control : desk.session->table.all())
         EXPECT_TRUE(names.insert(control.name).second) << control.name << " is there twice";
+    for (const std::string& name : names) {
+        const lab::Control control = *desk.session->table.find(name);  // what is said may make the table anew
         EXPECT_NE(control.help.it, nullptr) << control.name;
         EXPECT_NE(control.help.en, nullptr) << control.name;
         EXPECT_FALSE(control.moved()) << control.name;
@@ -202,8 +201,10 @@ TEST(Commands, EveryKeySaysACommandThatIsUnderstood) {
         if (std::string(key.command) == "redo")
             desk.say("undo");
         const std::string answer = desk.say(key.command);
-        if (std::string(key.command) != "previous" && std::string(key.command) != "shot" && std::string(key.command) != "save")
+        const std::set<std::string> refused{"previous", "shot", "save"};  // before the first lesson; where nothing may be written
+        if (!refused.contains(key.command)) {
             EXPECT_NE(answer.substr(0, 5), "error") << key.name << ": " << key.command << " -> " << answer;
+        }
         lab::Event event{.kind = lab::Event::Kind::key, .key = key.code, .modified = key.shift, .control = key.control};
         EXPECT_EQ(lab::commandOf(event), key.command) << key.name << " means two things";
     }

@@ -73,7 +73,7 @@ TEST(Controls, SetPutsSlidersAndResetBringsThemBackThere) {
     EXPECT_EQ(a, 2) << "the last one counts";
     EXPECT_EQ(b, 2);
     EXPECT_EQ(controls.text(), "a=2 b=2");
-    controls.sliders()[0].move(-10);
+    controls.sliders()[0].value = 0.5;
     controls.reset();
     EXPECT_EQ(a, 2);
 }
@@ -144,7 +144,7 @@ TEST(View, ReadsSlidersAndShowsEachReadingOncePerFrame) {
     };
     lab::View view(scene, camera, animation, options, controls);
     view.update(0, 10, 10);
-    controls.sliders()[0].move(10);
+    controls.sliders()[0].value = 2.5;
     view.update(1, 10, 10);
     EXPECT_EQ(lamp.position.y, 2.5 + 1);
     ASSERT_EQ(controls.readings.size(), 1U);

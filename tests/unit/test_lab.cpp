@@ -34,8 +34,30 @@ TEST(Orbit, TurnsAboutTheTargetAsTheMouseMoves) {
     EXPECT_NEAR(orbit.distance(), 5, 1e-12);
     orbit.rotate(0, 10);  // never over the pole
     expectNear(camera.position, {1, 7, 3}, 1e-2);
-    orbit.reset();
+    orbit.place({1, 2, 8}, {1, 2, 3});
     expectNear(camera.position, {1, 2, 8}, 0);
+}
+
+TEST(Orbit, GoesOnAfterADragAndComesToRest) {
+    THREE::PerspectiveCamera camera;
+    camera.position.set(1, 2, 8);
+    lab::Orbit orbit(camera, {1, 2, 3});
+    EXPECT_FALSE(orbit.coast(0.02));
+    orbit.fling(0.5, 0, false);
+    EXPECT_TRUE(orbit.coast(0.02));
+    const double x = camera.position.x;
+    EXPECT_LT(x, 1);
+    int frames = 0;
+    while (orbit.coast(0.02) && frames < 1000)
+        ++frames;
+    EXPECT_GT(frames, 5);
+    EXPECT_LT(frames, 100) << "two seconds";
+    EXPECT_LT(camera.position.x, x);
+    EXPECT_NEAR(orbit.distance(), 5, 1e-12);
+    EXPECT_FALSE(orbit.coast(0.02));
+    orbit.fling(0.5, 0, true);
+    orbit.stop();
+    EXPECT_FALSE(orbit.coast(0.02));
 }
 
 TEST(Orbit, ZoomsWithinBoundsAndPans) {
@@ -48,7 +70,7 @@ TEST(Orbit, ZoomsWithinBoundsAndPans) {
     EXPECT_GT(orbit.distance(), 0.1);
     orbit.zoom(-1e9);
     EXPECT_LT(orbit.distance(), 100);
-    orbit.reset();
+    orbit.place({0, 0, 10}, {});
     orbit.pan(0.5, 0);  // half the height at 90 degrees: 10 units at distance 10
     expectNear(orbit.target(), {-10, 0, 0});
     expectNear(camera.position, {-10, 0, 10});

@@ -39,7 +39,7 @@ TEST(StateFile, BringsEverythingBack) {
     again.options.state = file;
     again.begin();
     EXPECT_EQ(again.session->state(), desk.session->state());
-    EXPECT_EQ(again.session->state().size(), 19U) << "all of these and the last term";
+    EXPECT_EQ(again.session->state().size(), 21U) << "all twenty of these, and the last term";
     EXPECT_EQ(again.session->lights().size(), 4U);
     EXPECT_EQ(again.bulb.position.z, desk.bulb.position.z);
     again.say("term albedo off");

@@ -6,6 +6,7 @@
 #include "lab/frame_lines.hpp"
 #include "lab/live/command_words.hpp"
 #include "lab/live/values.hpp"
+#include "three/validate.hpp"
 
 namespace lab {
 
@@ -41,16 +42,21 @@ std::span<const Commands::Action> Commands::actions() {
 }
 
 std::string Commands::run(const std::string& line, Said said) {
+    const State before = session_.state();
     try {
         const std::vector<std::string> words = splitWords(line);
         if (words.empty())
             return {};
-        const State before = session_.state();
         const std::string answer = dispatch(words);
+        session_.updateNow();
         const bool history = words[0] == "undo" || words[0] == "redo";
         if (!history)
             changed(before, said.byHand ? joined(std::span(words).first(words.size() - 1)) : "");
         return answer;
+    } catch (const THREE::SceneError& error) {  // such a scene cannot be drawn: back to the one before
+        session_.apply(before);
+        session_.updateNow();
+        return "error " + oneLine(error.what());
     } catch (const std::exception& error) {
         return "error " + oneLine(error.what());
     }
@@ -91,6 +97,7 @@ std::optional<std::string> Commands::control(Words words) {
                 for (const lighting::TermInfo& row : lighting::terms())
                     if (full == std::string("term ") + row.name)
                         session_.lastTerm = row.term;
+            session_.updateNow();  // so that what is told is what the scene has
         }
         found = session_.table.find(full);
         return "ok " + full + (found != nullptr ? " " + found->get() : std::string());

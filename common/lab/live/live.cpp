@@ -91,7 +91,7 @@ class Live final : public Host {
     }
 
     bool goesOn(const View* before) const {
-        return !leave_ && (session_.split == Split::previous) == (before != nullptr);
+        return !leave_ && (session_.split == Split::lesson) == (before != nullptr);
     }
 
     // What was said after a change of lesson, or of what is shown beside, is for whoever comes then.

@@ -22,15 +22,11 @@ bool wantsFloats(const std::string& path) {
 }
 
 image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer, const render::FrameRequest& request) {
-    image::Frame whole;
-    for (const Side& side : sides) {
-        image::Frame frame = renderer.render(side.view->scene(), side.view->camera(), side.settings, request);
-        if (side.firstColumn == 0)
-            whole = std::move(frame);
-        else
-            image::copyColumns(frame, side.firstColumn, side.endColumn, whole);
-    }
-    return whole;
+    const auto frameOf = [&](const Side& side) {
+        return renderer.render(side.view->scene(), side.view->camera(), side.settings, request);
+    };
+    image::Frame whole = frameOf(sides[0]);
+    return sides.size() == 1 ? whole : render::sideBySide(whole, frameOf(sides[1]), sides[1].firstColumn);
 }
 
 image::Metadata metadata(const Session& session, const render::Renderer& renderer, const std::string& program) {
@@ -69,7 +65,7 @@ void writePicture(Session& session, View* before, render::Renderer& renderer, re
 }
 
 void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use) {
-    if (session.split != Split::previous)
+    if (session.split != Split::lesson)
         return use(nullptr);
     Handover guest{nullptr, {}, {}, {}, [&use](View& view) { use(&view); }};
     runProgram(neighbour(program, -1), {}, guest);

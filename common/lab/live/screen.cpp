@@ -104,7 +104,7 @@ void Screen::takeReference() {
         return askReference();
     image::Frame whole = std::move(evaluatedSides_[0]);
     if (asked_.size() == 2)
-        image::copyColumns(evaluatedSides_[1], asked_[1].firstColumn, asked_[1].endColumn, whole);
+        whole = render::sideBySide(whole, evaluatedSides_[1], asked_[1].firstColumn);
     if (differs_) {
         difference_ = render::differenceView(drawSides(asked_, gl_, {width_, height_}), whole);
         whole = difference_->frame;

@@ -122,7 +122,7 @@ lighting::Settings Session::settings() const {
 std::vector<Side> Session::sides(int width, View* before) const {
     View* const here = const_cast<View*>(&view_);
     const lighting::Settings whole = settings();
-    if (split == Split::off || (split == Split::previous && before == nullptr))
+    if (split == Split::off || (split == Split::lesson && before == nullptr))
         return {{here, whole, 0, width}};
     const int middle = static_cast<int>(std::lround(std::clamp(divider, 0.0, 1.0) * width));
     std::vector<Side> sides{{here, whole, 0, middle}, {here, whole, middle, width}};

@@ -18,7 +18,7 @@ namespace lab {
 enum class Split {
     off,
     term,  ///< the same without the term that was switched last; on the right it is on
-    previous  ///< the lesson before this one, in the slides' order
+    lesson  ///< the lesson before this one, in the slides' order
 };
 
 /// One side of the picture: what is drawn from a column on, up to another.

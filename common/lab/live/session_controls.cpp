@@ -128,7 +128,7 @@ void Session::addPictureControls() {
         "split", "picture", {"prima e dopo", "before and after"},
         {{"off", {"no", "off"}},
          {"term", {"senza l'ultimo termine | con", "without the last term | with it"}},
-         {"previous", {"la lezione prima | questa", "the lesson before | this one"}}},
+         {"lesson", {"la lezione prima | questa", "the lesson before | this one"}}},
         [this] { return static_cast<int>(split); }, [this](int i) { split = static_cast<Split>(i); }, 0);
     for (Slider& slider : view_.controls().sliders()) {
         Control& control = table.addNumber("slider " + slider.name, "sliders", slider.label, slider.min, slider.max,
