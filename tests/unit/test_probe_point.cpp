@@ -1,4 +1,5 @@
-// Points of surfaces in the reference: pinned ones, hidden ones, and what a single pixel costs no picture for.
+// Points of surfaces in the reference: pinned ones, hidden ones, and what a single pixel costs no picture
+// for.
 // SPDX-License-Identifier: MIT
 #include "lighting/reference/reference.hpp"
 #include "three/three.hpp"

@@ -134,6 +134,13 @@ TEST(ProbeText, WhatIsSpecialIsTold) {
         return all;
     };
     EXPECT_EQ(remarks(), "");
+    f.see();
+    const lab::SurfacePoint pin = *f.prober.point(32, 32);
+    f.bulb.position = f.prober.at(pin)->probe.Q;
+    f.see();
+    EXPECT_EQ(lab::probeRemarks(*f.prober.at(pin), Language::en),
+              std::vector<std::string>{"light 2 is in the very point: it has no direction and adds nothing"});
+    f.bulb.position.set(2, 1.5, 5);
     lighting::Switches switches;
     switches.shading = lighting::Shading::vertex;
     EXPECT_NE(remarks(switches).find("interpolated between the three corners"), std::string::npos);
