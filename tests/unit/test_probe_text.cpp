@@ -65,6 +65,7 @@ TEST(ProbeText, ALineThatProgramsRead) {
     EXPECT_FALSE(fields.contains("bad")) << fields["bad"];
     EXPECT_EQ(fields["pixel"], "(32, 32)");
     EXPECT_EQ(fields["space"], "world");
+    EXPECT_EQ(fields["mesh"], "Mesh 'a  b = c'");
     EXPECT_EQ(fields["n"], "(0, 1, 0)");
     EXPECT_EQ(fields["Q"], "(0, 0, 0)");
     EXPECT_EQ(fields["D"], "(1, 0.533333, 0.333333)");
