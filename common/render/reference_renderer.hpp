@@ -10,8 +10,8 @@
 namespace render {
 
 /// Draws a reference into a frame of its size, on all cores. Once `stop` is set, by any thread, it ends
-/// within milliseconds (the memory of a frame of 3840 x 2160 alone takes 40): none. `nonfinite`: where to count pixels that met NaN or infinity.
-/// Codes cannot be had of NaN: image::Error.
+/// within milliseconds (the memory of a frame of 3840 x 2160 alone takes 40) and returns none. `nonfinite`:
+/// where to count pixels that met NaN or infinity. Codes cannot be had of NaN: image::Error.
 std::optional<image::Frame> drawReference(const lighting::reference::Reference<double>& reference,
                                           bool floats, const Progress& progress = {},
                                           const std::atomic<bool>* stop = nullptr,

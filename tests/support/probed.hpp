@@ -1,4 +1,5 @@
-// A floor under three lights whose sum at the origin one can work out by hand, and fields of the probe's line.
+// A floor under three lights whose sum at the origin one can work out by hand, and fields of the probe's
+// line.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,8 +14,9 @@
 
 namespace support {
 
-/// Lesson-like: D = (1, 0x88 / 255, 0x55 / 255), a white light from (0, 3, -2), one of (5, 10, 2.5) at (2, 1.5, 5) with f = 1 / d^2,
-/// ambient light of (0.1, 0.2, 0.3), in this order. The middle pixel of a picture of odd size sees the origin.
+/// Lesson-like: D = (1, 0x88 / 255, 0x55 / 255), a white light from (0, 3, -2), one of (5, 10, 2.5) at (2,
+/// 1.5, 5) with f = 1 / d^2, ambient light of (0.1, 0.2, 0.3), in this order. The middle pixel of a picture
+/// of odd size sees the origin.
 struct Floor {
     THREE::Scene scene;
     THREE::PerspectiveCamera camera{45, 1, 0.1, 100};

@@ -1,4 +1,5 @@
-// What is drawn over the picture: places against the camera's own matrices, clipping, and arrows at the probed point.
+// What is drawn over the picture: places against the camera's own matrices, clipping, and arrows at the
+// probed point.
 // SPDX-License-Identifier: MIT
 #include "lab/live/overlay.hpp"
 #include "support/probed.hpp"

@@ -106,6 +106,8 @@ TEST(Probe, APinnedPointIsTheSameFromEverywhere) {
         expectNear(now.probe.n, before.probe.n);
         expectNear(now.probe.Q, before.probe.Q, 1e-11);
         ASSERT_EQ(now.pixel.has_value(), now.sight == Sight::visible);
+        EXPECT_FALSE(now.centre);
+        EXPECT_TRUE(before.centre);
         EXPECT_TRUE(i != 5 || now.sight == Sight::outside);
         if (!now.pixel)
             continue;

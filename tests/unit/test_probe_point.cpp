@@ -1,4 +1,5 @@
-// Points of surfaces in the reference: pinned ones, hidden ones, and what a single pixel costs no picture for.
+// Points of surfaces in the reference: pinned ones, hidden ones, and what a single pixel costs no picture
+// for.
 // SPDX-License-Identifier: MIT
 #include "lighting/reference/reference.hpp"
 #include "three/three.hpp"
@@ -106,21 +107,28 @@ TEST(ReferencePoint, WhatStandsInFrontHides) {
     Stage s;
     const auto hit = s.seen().surface(30, 14);
     ASSERT_TRUE(hit);
-    // Smaller than a pixel and between pixels' centres: the point's own ray meets it all the same.
+    // In a picture where the sheet is smaller than a pixel and between centres, the point's own ray still meets it.
+    const int coarse = 30;
     THREE::PlaneGeometry sheet(0.004, 0.004);
     THREE::MeshBasicMaterial black(THREE::Color(0, 0, 0));
     THREE::Mesh screen(sheet, black);
     const Probe<double> probe = s.seen().probe(*hit);
     screen.position = probe.Q + probe.v * 1.5;
     screen.lookAt(s.camera.position);
-    const Surface<double> pinned = *s.seen().surfaceAt(&s.knot, hit->triangle, hit->weights);
-    EXPECT_EQ(s.seen().sight(pinned), Sight::visible);
+    const Surface<double> pinned = *s.seen(coarse).surfaceAt(&s.knot, hit->triangle, hit->weights);
+    EXPECT_EQ(s.seen(coarse).sight(pinned), Sight::visible);
     s.scene.add(screen);
-    EXPECT_EQ(s.seen().sight(pinned), Sight::hidden);
+    int covered = 0;
+    for (int pixel = 0; pixel < coarse * coarse; ++pixel) {
+        const auto seen = s.seen(coarse).surface(pixel % coarse, pixel / coarse);
+        covered += seen && seen->body == 1 ? 1 : 0;
+    }
+    ASSERT_EQ(covered, 0);
+    EXPECT_EQ(s.seen(coarse).sight(pinned), Sight::hidden);
     screen.position = probe.Q - probe.v * 0.01;
-    EXPECT_EQ(s.seen().sight(pinned), Sight::visible) << "behind it";
+    EXPECT_EQ(s.seen(coarse).sight(pinned), Sight::visible) << "behind it";
     s.camera.far = 1;
-    EXPECT_EQ(s.seen().sight(pinned), Sight::outside);
+    EXPECT_EQ(s.seen(coarse).sight(pinned), Sight::outside);
 }
 
 TEST(ReferencePoint, ThePointOfTheSideThatIsDrawn) {

@@ -65,6 +65,7 @@ TEST(ProbeText, ALineThatProgramsRead) {
     EXPECT_FALSE(fields.contains("bad")) << fields["bad"];
     EXPECT_EQ(fields["pixel"], "(32, 32)");
     EXPECT_EQ(fields["space"], "world");
+    EXPECT_EQ(fields["mesh"], "Mesh 'a  b = c'");
     EXPECT_EQ(fields["n"], "(0, 1, 0)");
     EXPECT_EQ(fields["Q"], "(0, 0, 0)");
     EXPECT_EQ(fields["D"], "(1, 0.533333, 0.333333)");
@@ -134,6 +135,13 @@ TEST(ProbeText, WhatIsSpecialIsTold) {
         return all;
     };
     EXPECT_EQ(remarks(), "");
+    f.see();
+    const lab::SurfacePoint pin = *f.prober.point(32, 32);
+    f.bulb.position = f.prober.at(pin)->probe.Q;
+    f.see();
+    EXPECT_EQ(lab::probeRemarks(*f.prober.at(pin), Language::en),
+              std::vector<std::string>{"light 2 is in the very point: it has no direction and adds nothing"});
+    f.bulb.position.set(2, 1.5, 5);
     lighting::Switches switches;
     switches.shading = lighting::Shading::vertex;
     EXPECT_NE(remarks(switches).find("interpolated between the three corners"), std::string::npos);

@@ -85,7 +85,8 @@ bool LightDrag::turnDirection(const THREE::DirectionalLight& sun, const PanelPoi
         beyond_ = false;
         w = (ray * (behind_ ? std::sqrt(inside) : -std::sqrt(inside)) - aside) / radius;
     } else {
-        // The rim is where rays from the eye touch: rays at this angle from the focus, here in the mouse's direction.
+        // The rim is where rays from the eye touch: rays at this angle from the focus, here in the mouse's
+        // direction.
         beyond_ = true;
         const glm::dvec3 off = ray - toFocus * (along / squared);
         const double size = glm::length(off), sine = radius / std::sqrt(squared);

@@ -13,7 +13,8 @@ namespace lab {
 
 /// A light and whether it reaches the picture.
 struct NumberedLight {
-    int number;  ///< from 1, in the order of the scene; ambient and invisible lights have one too, so that numbers stay
+    /// From 1, in the order of the scene; ambient and invisible lights have one too, so that numbers stay.
+    int number;
     const THREE::Light* light;  ///< never null
     bool visible;  ///< it and all that it hangs on
 };

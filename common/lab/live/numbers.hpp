@@ -1,4 +1,5 @@
-// Numbers and vectors as the probe writes them: rounded to significant digits, a decimal point in every language.
+// Numbers and vectors as the probe writes them: rounded to significant digits, a decimal point in every
+// language.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,7 +18,8 @@ glm::dvec3 dusted(const glm::dvec3& v, double size = 0);
 
 /// For the eye: dusted, with three significant digits.
 std::string shortText(const glm::dvec3& v);
-/// Two decimals, or two significant digits where that would be too few; whole numbers as such: "0.62", "0.0037", "1".
+/// Two decimals, or two significant digits where that would be too few; whole numbers as such: "0.62",
+/// "0.0037", "1".
 std::string shortText(double value);
 /// A colour: two decimals each, whole ones as such: "(1.00, 0.53, 0.33)", "(1, 1, 1)".
 std::string colorText(const glm::dvec3& v);

@@ -1,4 +1,5 @@
-// What is drawn over the picture at the probed point: n, the directions towards the lights, R, v, and the angle between them.
+// What is drawn over the picture at the probed point: n, the directions towards the lights, R, v, and the
+// angle between them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -22,10 +23,10 @@ struct OverlayOptions {
     double length = 0.18;  ///< of an arrow across the view, in picture heights, whatever the distance
 };
 
-/// The arrows at a point. n; towards each light w, faint where it comes from behind the surface or is off; for lights before the
-/// surface R; v, which always points at the eye, so that it is seen as a ring. Tags "n", "ω₂", "R₂", "v" and the angle between n
-/// and w in degrees beside an arc. All faint where the point is hidden. Empty for the background and points that are not before the
-/// camera; of an unlit surface only n.
+/// The arrows at a point. n; towards each light w, faint where it comes from behind the surface or is off;
+/// for lights before the surface R; v, which always points at the eye, so that it is seen as a ring. Tags
+/// "n", "ω₂", "R₂", "v" and the angle between n and w in degrees beside an arc. All faint where the point is
+/// hidden. Empty for the background and points that are not before the camera; of an unlit surface only n.
 Overlay pointOverlay(const ProbeReport& report, const THREE::PerspectiveCamera& camera,
                      const OverlayOptions& options = {});
 

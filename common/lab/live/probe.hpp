@@ -13,7 +13,8 @@
 
 namespace lab {
 
-/// A point that stays on its surface while the camera orbits and the mesh moves (slide 13: the same colour from every angle).
+/// A point that stays on its surface while the camera orbits and the mesh moves (slide 13: the same colour
+/// from every angle).
 struct SurfacePoint {
     const THREE::Mesh* mesh = nullptr;  ///< compared only, never read: it may be gone
     std::size_t triangle = 0;  ///< of its geometry
@@ -58,12 +59,13 @@ struct ProbeReport {
     const ProbeLight* light(int number) const;
 };
 
-/// Answers questions about a picture without drawing it. What it needs of the scene is copied when it is first asked after
-/// see(), some 3 ms for 50,000 triangles; a pixel then takes some 0.02 ms.
+/// Answers questions about a picture without drawing it. What it needs of the scene is copied when it is
+/// first asked after see(), some 3 ms for 50,000 triangles; a pixel then takes some 0.02 ms.
 class Prober {
   public:
-    /// Looks anew: to be called after every change of scene, camera, switches or size, before the next question. Costs nothing
-    /// by itself. The scene must be up to date and valid (THREE::validate), its matrices too, and stay until the last question.
+    /// Looks anew: to be called after every change of scene, camera, switches or size, before the next
+    /// question. Costs nothing by itself. The scene must be up to date and valid (THREE::validate), its
+    /// matrices too, and stay until the last question.
     void see(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera,
              const lighting::Switches& switches, int width, int height);
 
@@ -71,7 +73,8 @@ class Prober {
     std::optional<SurfacePoint> point(int x, int y);
     /// What a pixel shows; none outside the picture and before see().
     std::optional<ProbeReport> at(int x, int y);
-    /// The equation at a point, seen or not; none where its mesh is not drawn, has no such triangle any more, or before see().
+    /// The equation at a point, seen or not; none where its mesh is not drawn, has no such triangle any more,
+    /// or before see().
     std::optional<ProbeReport> at(const SurfacePoint& point);
 
   private:

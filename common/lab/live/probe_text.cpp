@@ -229,6 +229,12 @@ std::vector<std::string> probeRemarks(const ProbeReport& report, Language langua
     if (probe.corners)
         remark({"per vertice: P è interpolato tra i tre vertici; le righe sono calcolate nel punto",
                 "per vertex: P is interpolated between the three corners; the rows are the point's own"});
+    for (const ProbeLight& light : report.lights)
+        if (inThePoint(light))
+            remarks.push_back(lightTitle(light.number, light.name, language) +
+                              say({" è nel punto stesso: non ha direzione e non aggiunge nulla",
+                                   " is in the very point: it has no direction and adds nothing"},
+                                  language));
     if (report.switches.normals == lighting::NormalTransform::model)
         remark({"normali trasformate dalla matrice del modello", "normals taken along by the model matrix"});
     if (report.lights.empty() && report.ambientLights.empty())

@@ -7,22 +7,25 @@
 
 namespace lab {
 
-/// For Panel::probe. First lines of one span: where the point is and what is special about it; then, for a lit one, a table with
-/// a row for each light (name, w, n . w, after the clamp, f(d), d, L, the diffuse addend) and one for each other addend, the sum,
-/// the sum clamped, its code beside the driver's. Factors that are off say so. At most `lightRows` lights are told one by one: the
-/// brightest, in the order of the scene.
+/// For Panel::probe. First lines of one span: where the point is and what is special about it; then, for a
+/// lit one, a table with a row for each light (name, w, n . w, after the clamp, f(d), d, L, the diffuse
+/// addend) and one for each other addend, the sum, the sum clamped, its code beside the driver's. Factors
+/// that are off say so. At most `lightRows` lights are told one by one: the brightest, in the order of the
+/// scene.
 std::vector<Line> probeLines(const ProbeReport& report, Language language, std::size_t lightRows = 6);
 
-/// The same, complete, in one line: "probe " and fields "name = value" with "; " between them. Names are the same in every
-/// language, numbers have six significant digits, vectors are "(x, y, z)" in world space. What is off has " (off)" or " (spento)"
-/// behind its value. Names of the scene have neither ';' nor line breaks in it.
+/// The same, complete, in one line: "probe " and fields "name = value" with "; " between them. Names are the
+/// same in every language, numbers have six significant digits, vectors are "(x, y, z)" in world space. What
+/// is off has " (off)" or " (spento)" behind its value. Names of the scene have neither ';' nor line breaks
+/// in it.
 std::string probeText(const ProbeReport& report, Language language);
 
-/// What is special about the point: hidden, unlit, flat, per vertex, without a normal ... A sentence each; may be empty.
+/// What is special about the point: hidden, unlit, flat, per vertex, without a normal ... A sentence each;
+/// may be empty.
 std::vector<std::string> probeRemarks(const ProbeReport& report, Language language);
 
-/// The numbers, at most `count`, of the lights that add most to the point, in the order of the scene; those that are off
-/// do not count.
+/// The numbers, at most `count`, of the lights that add most to the point, in the order of the scene; those
+/// that are off do not count.
 std::vector<int> brightestLights(const ProbeReport& report, std::size_t count);
 
 }  // namespace lab

@@ -57,7 +57,8 @@ std::optional<PanelStroke> Projection::stroke(const glm::dvec3& from, const glm:
                                               bool arrow, double width) const {
     const glm::dvec3 a = view(from), step = view(to) - a;
     double first = 0, last = 1;
-    // Planes of view space: the near plane, and four through the eye, three times as far apart as the picture's edges.
+    // Planes of view space: the near plane, and four through the eye, three times as far apart as the
+    // picture's edges.
     keep(-a.z, -step.z, near_, first, last);
     const std::array<double, 2> half{halfWidth_, halfHeight_};
     for (int axis = 0; axis < 2; ++axis)

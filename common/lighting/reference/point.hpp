@@ -1,4 +1,5 @@
-// Single points of a Reference<T>: of a pixel, of a ray, of a surface that the camera may not even see. Comes with raster.hpp.
+// Single points of a Reference<T>: of a pixel, of a ray, of a surface that the camera may not even see. Comes
+// with raster.hpp.
 // SPDX-License-Identifier: MIT
 #pragma once
 

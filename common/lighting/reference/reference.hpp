@@ -53,15 +53,15 @@ struct Probe {
     Vec3<T> ambient{T(0)};  ///< D (x) L_A
     Vec3<T> emitted{T(0)};  ///< the material's own light
     Vec3<T> P{T(0)};  ///< the pixel, not clamped
-    /// Per-vertex shading only: the sums at the triangle's corners, without emitted. P is what lies between them, plus emitted, while
-    /// addends and ambient are the point's own.
+    /// Per-vertex shading only: the sums at the triangle's corners, without emitted. P is what lies between
+    /// them, plus emitted, while addends and ambient are the point's own.
     std::optional<std::array<Vec3<T>, 3>> corners;
 };
 
 /// A scene, seen by a camera, in the scalar T: float, double, long double (built into the library), or a wider one.
-/// Positions, quaternions and scales of the scene count, not its matrices. The constructor copies all that counts: afterwards the
-/// scene may change or go, also while another thread draws, and pointers to its meshes and lights only say which ones they were.
-/// The scene must be valid (THREE::validate).
+/// Positions, quaternions and scales of the scene count, not its matrices. The constructor copies all that
+/// counts: afterwards the scene may change or go, also while another thread draws, and pointers to its meshes
+/// and lights only say which ones they were. The scene must be valid (THREE::validate).
 template <class T>
 class Reference {
   public:
@@ -89,12 +89,13 @@ class Reference {
     Probe<T> probe(const Surface<T>& surface) const;
     /// The nearest surface under the pixel's centre, if there is one.
     std::optional<Surface<T>> surface(int x, int y) const;
-    /// The point of a mesh that has these weights in one of its triangles, on the side that its material draws (of two, the one
-    /// that faces the eye), wherever the camera looks; none where the mesh is not drawn or has no such triangle.
+    /// The point of a mesh that has these weights in one of its triangles, on the side that its material draws
+    /// (of two, the one that faces the eye), wherever the camera looks; none where the mesh is not drawn or
+    /// has no such triangle.
     std::optional<Surface<T>> surfaceAt(const THREE::Mesh* mesh, std::size_t triangle,
                                         const Vec3<T>& weights) const;
-    /// Where it is in the picture, in pixels from the top left corner (a pixel's centre is at half numbers), and its depth; none
-    /// beside or behind the eye.
+    /// Where it is in the picture, in pixels from the top left corner (a pixel's centre is at half numbers), and
+    /// its depth; none beside or behind the eye.
     std::optional<Vec3<T>> picture(const Surface<T>& surface) const;
     /// Whether the camera sees it.
     Sight sight(const Surface<T>& surface) const;
