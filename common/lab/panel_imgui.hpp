@@ -59,6 +59,13 @@ class PanelDrawer {
     std::string placesText() const;
 
   private:
+    struct Box {
+        ImVec2 content{0, 0};  // size of what is in it, as last laid out
+        ImVec2 at{0, 0}, size{0, 0};  // where it is in the window
+        ImVec4 color;
+    };
+
+    static void fill(const ImDrawList*, const ImDrawCmd* command);
     template <class Content>
     ImVec2 box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 most, const Content& content,
                bool fill = false);
@@ -74,7 +81,8 @@ class PanelDrawer {
     bool shown_ = false;  // there was one
     Free free_{};
     Grab grab_;
-    std::map<std::string, ImVec2> sizes_;  // of each box's content, as last laid out
+    std::map<std::string, Box> boxes_;
+    float rowsWide_ = 0;  // of the rows by themselves
     bool unsettled_ = false;  // one of them has changed
     bool mouseMoved_ = false;
     bool changed_ = false;

@@ -4,8 +4,8 @@
 
 #include <GLES3/gl3.h>
 #include <algorithm>
-#include <cmath>
 #include <backends/imgui_impl_opengl3.h>
+#include <cmath>
 #include <fstream>
 #include <imgui_internal.h>
 #include <iterator>
@@ -118,6 +118,7 @@ void Look::prepare(const Panel& panel, float contentScale, float density) {
 }
 
 void Look::bake(float pixels, float density) {
+    const bool first = pixels_ <= 0;
     pixels_ = pixels;
     density_ = density;
     em_ = pixels / density;
@@ -138,8 +139,12 @@ void Look::bake(float pixels, float density) {
             atlas.AddFontFromMemoryTTF(file_.data(), static_cast<int>(file_.size()), config.SizePixels,
                                        &config, letters.data());
     }
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    if (first) {
+        ImGui_ImplOpenGL3_NewFrame();  // which makes shaders, buffers and the texture
+    } else {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
     atlas.ClearTexData();  // the driver has it
     ImGui::GetIO().FontGlobalScale = 1 / density;
 }
@@ -236,7 +241,7 @@ ImU32 Look::color(Ink ink) const {
     return color(Tone::plain);
 }
 
-ImU32 Look::box() const { return light_ ? rgb(0xFAFAF8, 232) : rgb(0x14171C, 218); }
+ImU32 Look::box() const { return light_ ? rgb(0xFAFAF8, 225) : rgb(0x14171C, 225); }
 
 ImU32 Look::outline() const { return light_ ? rgb(0xFFFFFF, 235) : rgb(0x0A0C10, 235); }
 

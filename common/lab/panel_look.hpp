@@ -27,7 +27,7 @@ class Look {
 
     ImU32 color(Tone tone) const;
     ImU32 color(Ink ink) const;
-    ImU32 box() const;  ///< behind text, not quite opaque
+    ImU32 box() const;  ///< behind text; not quite opaque behind single words
     ImU32 outline() const;  ///< around what is drawn over the picture
     ImU32 chip(bool hovered) const;  ///< behind an active symbol
 

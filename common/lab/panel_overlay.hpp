@@ -8,10 +8,10 @@ namespace lab {
 
 /// Where there is room for the divider's line and its words, in the window's units.
 struct Free {
-    float top, bottom;
-    float left;  ///< end of the box at the upper left,
-    float below;  ///< and its lower edge
+    float top;  ///< below the equation
+    float left, below;  ///< right and lower end of the box at the upper left
     float right;  ///< begin of the column
+    float rowsTop, rowsRight;  ///< upper and right end of the box at the lower left
 };
 
 /// What the mouse would take hold of at a place of the picture.

@@ -141,7 +141,7 @@ bool action(const Look& look, const Widget& widget) {
 Line labelOf(const Widget& widget) {
     Line line{{widget.label, widget.tone}};
     if (!widget.key.empty())
-        line.push_back({" [" + widget.key + "]", Tone::idle});
+        line.push_back({"\u00A0[" + widget.key + "]", Tone::idle});
     return line;
 }
 
