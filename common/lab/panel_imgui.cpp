@@ -85,8 +85,7 @@ ImVec2 PanelDrawer::box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 mos
     known.at = ImGui::GetWindowPos();
     known.size = ImGui::GetWindowSize();
     known.color = ImGui::ColorConvertU32ToFloat4(look_.box());
-    ImDrawList& list = *ImGui::GetCurrentWindow()->DrawList;
-    list.AddCallback(fill, &known);
+    known.drawn = true;
     ImGui::BeginGroup();
     content();
     ImGui::EndGroup();
@@ -233,6 +232,9 @@ void PanelDrawer::layOut() {
     if (columnWide > 0)
         column(brush, columnTop, columnWide);
     drawOverlay(brush, panel_, free_, grab_);
+    for (auto& [name, box] : boxes_)  // over what lies on the picture, under what stands in the boxes
+        if (std::exchange(box.drawn, false))
+            ImGui::GetBackgroundDrawList()->AddCallback(fill, &box);
     said_.insert(said_.end(), brush.said.begin(), brush.said.end());
     places_ = std::move(brush.places);
 }

@@ -63,6 +63,7 @@ class PanelDrawer {
         ImVec2 content{0, 0};  // size of what is in it, as last laid out
         ImVec2 at{0, 0}, size{0, 0};  // where it is in the window
         ImVec4 color;
+        bool drawn = false;  // in this pass
     };
 
     static void fill(const ImDrawList*, const ImDrawCmd* command);

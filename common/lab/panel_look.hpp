@@ -4,6 +4,7 @@
 
 #include "lab/panel.hpp"
 
+#include <algorithm>
 #include <imgui.h>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ class Look {
     float em() const { return em_; }
     float small() const { return em_ * smallShare; }  ///< of keys and slides beside the equation
     float equation() const { return em_ * equationShare; }  ///< of the equation where it has room
-    float gap() const { return em_ * 0.5F; }  ///< between boxes, and to the window's border
+    float gap() const { return std::min(em_ * 0.5F, 12.0F); }  ///< between boxes, and to the window's border
     /// The font whose letters are closest to this size without being stretched.
     ImFont* font(float size) const;
 

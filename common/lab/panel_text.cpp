@@ -109,6 +109,16 @@ void drawSpan(ImDrawList& list, const Look& look, ImVec2 at, float size, const S
 
 namespace {
 
+// How many bytes of a word fit into `width`, whole characters, at least one.
+std::size_t fitting(const Look& look, std::string_view word, float width) {
+    std::size_t length = 0;
+    do
+        ++length;
+    while (length < word.size() && ((static_cast<unsigned char>(word[length]) & 0xC0) == 0x80 ||
+                                    richWidth(look, look.em(), word.substr(0, length + 1)) <= width));
+    return length;
+}
+
 // Draws one line from `at` on and returns the lower right corner of what it took.
 ImVec2 flowLine(ImDrawList& list, const Look& look, ImVec2 at, const Line& line, float width) {
     const float size = look.em();
@@ -117,12 +127,18 @@ ImVec2 flowLine(ImDrawList& list, const Look& look, ImVec2 at, const Line& line,
     for (const Span& span : line)
         for (std::size_t from = 0; from < span.text.size();) {
             const std::size_t word = std::min(span.text.find_first_not_of(' ', from), span.text.size());
-            const std::size_t end = std::min(span.text.find(' ', word), span.text.size());
+            std::size_t end = std::min(span.text.find(' ', word), span.text.size());
             Span piece{span.text.substr(from, end - from), span.tone};
             float wide = richWidth(look, size, piece.text);
             if (at.x > left && at.x + wide > left + width) {
                 at = {left, at.y + size * 1.2F};
                 piece.text.erase(0, word - from);
+                from = word;
+                wide = richWidth(look, size, piece.text);
+            }
+            if (wide > width && piece.text.size() > 1) {  // a path, or a word in large letters
+                piece.text.resize(fitting(look, piece.text, width));
+                end = from + piece.text.size();
                 wide = richWidth(look, size, piece.text);
             }
             drawSpan(list, look, at, size, piece);

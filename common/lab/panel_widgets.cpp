@@ -57,6 +57,13 @@ bool toggle(Widget& widget) {
     return true;
 }
 
+// From here on ImGui's letters are as much smaller as `text` needs to fit into `room`, down to a limit.
+void shrinkFor(const std::string& text, float room) {
+    const float wide = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    if (wide > room)
+        ImGui::SetWindowFontScale(std::clamp(room / wide, 0.65F, 1.0F));
+}
+
 bool choice(Widget& widget) {
     const auto words = [&widget] {
         for (const auto& [name, text] : widget.choices)
@@ -65,8 +72,17 @@ bool choice(Widget& widget) {
         return widget.value;
     };
     bool changed = false;
-    if (!ImGui::BeginCombo("##value", words().c_str(), ImGuiComboFlags_HeightLarge))
+    const std::string now = words();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float high = ImGui::GetFrameHeight();
+    shrinkFor(now, ImGui::CalcItemWidth() - high - 2 * padding.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {padding.x, (high - ImGui::GetFontSize()) / 2});
+    const bool opened = ImGui::BeginCombo("##value", now.c_str(), ImGuiComboFlags_HeightLarge);
+    ImGui::PopStyleVar();
+    if (!opened) {
+        ImGui::SetWindowFontScale(1);
         return false;
+    }
     for (const auto& [name, text] : widget.choices) {
         ImGui::PushID(name.c_str());
         if (ImGui::Selectable("##choice", name == widget.value) && name != widget.value) {
@@ -78,6 +94,7 @@ bool choice(Widget& widget) {
         ImGui::PopID();
     }
     ImGui::EndCombo();
+    ImGui::SetWindowFontScale(1);
     return changed;
 }
 
@@ -129,9 +146,7 @@ bool color(Widget& widget) {
 bool action(const Look& look, const Widget& widget) {
     const std::string text = widget.key.empty() ? widget.label : widget.label + " [" + widget.key + "]";
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
-    const float wide = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-    if (wide > room)
-        ImGui::SetWindowFontScale(std::clamp(room / wide, 0.65F, 1.0F));
+    shrinkFor(text, room);
     const ImVec2 size{-1, look.em() + 2 * ImGui::GetStyle().FramePadding.y};
     const bool pressed = ImGui::Button((text + "###value").c_str(), size);
     ImGui::SetWindowFontScale(1);
