@@ -199,7 +199,7 @@ void PanelDrawer::below(float right, float most, float rowsMost) {
 void PanelDrawer::layOut() {
     if (std::exchange(closing_, false))
         ImGui::ClosePopupToLevel(0, true);
-    Brush brush{look_, {}, {}};
+    Brush brush{look_, {}, std::exchange(typed_, {}), {}};
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float gap = look_.gap();
     const float wide = window.x - 2 * gap;
@@ -236,6 +236,10 @@ void PanelDrawer::layOut() {
         if (std::exchange(box.drawn, false))
             ImGui::GetBackgroundDrawList()->AddCallback(fill, &box);
     said_.insert(said_.end(), brush.said.begin(), brush.said.end());
+    if (ImGui::GetIO().WantTextInput)
+        typed_ = std::move(brush.typed);
+    else if (!brush.typed.empty())
+        said_.push_back(std::move(brush.typed));
     places_ = std::move(brush.places);
 }
 

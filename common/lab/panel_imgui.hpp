@@ -31,6 +31,7 @@ class PanelDrawer {
     void modifiers(bool shift, bool control);
     void button(int button, bool pressed);
     void wheel(double dx, double dy);
+    /// While takesText(), and whenever a key is let go.
     void key(int glfwKey, int scancode, int action, int modifiers);
     void character(unsigned code);
     /// Works off what the mouse did.
@@ -92,6 +93,7 @@ class PanelDrawer {
     unsigned hovered_ = 0;
     double time_ = 0;
     std::vector<std::string> said_;
+    std::string typed_;  // not yet said
     std::vector<Brush::Place> places_;
 };
 

@@ -13,6 +13,7 @@ namespace lab {
 struct Brush {
     const Look& look;
     std::vector<std::string> said;  ///< commands of what the user did, in order
+    std::string typed;  ///< the command of the field that is being typed into, if it has changed
     struct Place {
         std::string what;  ///< "widget term ambient"
         ImVec2 at;  ///< its centre, in the window's units

@@ -186,8 +186,11 @@ bool labelled(const Look& look, Widget& widget, ImVec2& centre) {
         wide += richWidth(look, look.em(), span.text);
     const bool simple = widget.kind == WidgetKind::number || widget.kind == WidgetKind::choice;
     const float control = room * (simple ? 0.5F : 0.68F);
+    float words = 0;  // of the longest choice, so that nothing jumps when another one is made
+    for (const auto& choice : widget.choices)
+        words = std::max(words, ImGui::CalcTextSize(choice[1].c_str()).x + 2 * look.em());
     const float left = ImGui::GetCursorPosX();
-    const bool beside = wide + look.gap() <= room - control;
+    const bool beside = wide + look.gap() <= room - control && words <= control;
     if (beside)
         ImGui::AlignTextToFramePadding();
     const ImVec2 at = ImGui::GetCursorPos();
@@ -218,6 +221,16 @@ bool ticked(const Look& look, Widget& widget, ImVec2& centre) {
     return changed;
 }
 
+// What is typed counts when it is complete: 2 and 2.7 are not meant where 2.75 is.
+void tell(Brush& brush, const Widget& widget) {
+    if (widget.kind == WidgetKind::action)
+        brush.said.push_back(widget.command);
+    else if (ImGui::GetIO().WantTextInput)
+        brush.typed = widget.command + " " + widget.value;
+    else
+        brush.said.push_back(widget.command + " " + widget.value);
+}
+
 void drawWidget(Brush& brush, Widget& widget) {
     const Look& look = brush.look;
     ImVec2 centre;
@@ -238,8 +251,7 @@ void drawWidget(Brush& brush, Widget& widget) {
     ImGui::EndGroup();
     tooltip(look, widget.help, ImGui::IsItemHovered() && !ImGui::IsAnyItemActive());
     if (changed)
-        brush.said.push_back(widget.kind == WidgetKind::action ? widget.command
-                                                               : widget.command + " " + widget.value);
+        tell(brush, widget);
     if (ImGui::GetCurrentWindow()->ClipRect.Contains(centre))  // not scrolled out of sight
         brush.places.push_back({"widget " + widget.command, centre});
 }

@@ -159,10 +159,11 @@ class GlfwWindow final : public Window {
         charMayFollow_ = false;
         const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0, control = (modifiers & GLFW_MOD_CONTROL) != 0;
         panel_.modifiers(shift, control);
-        if (panel_.takesText()) {
+        const bool typing = panel_.takesText();
+        if (typing || action == GLFW_RELEASE)
             panel_.key(key, scancode, action, modifiers);
+        if (typing)
             return collectPanel();
-        }
         const int code = keyCode(key, scancode);
         if (code == 0 || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0)
             return;
