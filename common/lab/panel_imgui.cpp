@@ -191,9 +191,13 @@ void PanelDrawer::below(float right, float most, float rowsMost) {
         free_.rowsTop = bottom - size.y;
         free_.rowsRight = gap + size.x;
     }
-    if (panel_.legend && !both)
-        box("legend", {right, bottom}, {1, 1}, {room, most * 0.6F},
-            [&] { drawLegend(look_, *panel_.legend, legendWide); });
+    legendApart_ = panel_.legend && !both;
+    if (!legendApart_)
+        return;
+    const ImVec2 size = box("legend", {right, bottom}, {1, 1}, {room, most * 0.6F},
+                            [&] { drawLegend(look_, *panel_.legend, legendWide); });
+    free_.legendTop = bottom - size.y;
+    free_.legendLeft = right - size.x;
 }
 
 void PanelDrawer::layOut() {
@@ -215,10 +219,11 @@ void PanelDrawer::layOut() {
         top += size.y + gap;
         columnTop = gap + size.x > right ? top : gap;
     }
-    free_ = {top - gap, 0, top - gap, columnLeft, window.y, 0};
+    free_ = {top - gap, 0, top - gap, columnLeft, window.y, 0, window.y, window.x};
     const float most = window.y - top - gap;
-    const float lines =
-        panel_.rows.empty() ? 0 : boxes_["rows"].content.y + 2 * ImGui::GetStyle().WindowPadding.y + gap;
+    const float rows = panel_.rows.empty() ? 0 : boxes_["rows"].content.y;
+    const float lines = std::max(rows, legendApart_ ? boxes_["legend"].content.y : 0) +
+                        2 * ImGui::GetStyle().WindowPadding.y + gap;
     const bool reads = !panel_.message.empty() || !panel_.probe.empty() || !panel_.curves.empty();
     const float readingsMost = std::max(most * 0.6F, most - lines);
     float used = 0;

@@ -84,6 +84,7 @@ class PanelDrawer {
     Free free_{};
     Grab grab_;
     std::map<std::string, Box> boxes_;
+    bool legendApart_ = false;  // it has a box of its own
     float rowsWide_ = 0;  // of the rows by themselves
     bool unsettled_ = false;  // one of them has changed
     bool mouseMoved_ = false;

@@ -26,8 +26,8 @@ ImVec2 gripOf(const PanelDivider& divider, const Free& free) {
     const double share = std::isfinite(divider.share) ? std::clamp(divider.share, 0.0, 1.0) : 0.5;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float x = window.x * static_cast<float>(share);
-    const float top = x < free.left ? free.below : free.top,
-                bottom = x < free.rowsRight ? free.rowsTop : window.y;
+    const float top = x < free.left ? free.below : free.top;
+    const float bottom = x < free.rowsRight ? free.rowsTop : x > free.legendLeft ? free.legendTop : window.y;
     return {x, (top + bottom) / 2};
 }
 

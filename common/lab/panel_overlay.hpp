@@ -12,6 +12,7 @@ struct Free {
     float left, below;  ///< right and lower end of the box at the upper left
     float right;  ///< begin of the column
     float rowsTop, rowsRight;  ///< upper and right end of the box at the lower left
+    float legendTop, legendLeft;  ///< upper and left end of the box at the lower right
 };
 
 /// What the mouse would take hold of at a place of the picture.
