@@ -45,8 +45,8 @@ void PanelDrawer::shutDown() {
     ImGui::DestroyContext();
 }
 
-// The background of a box, opaque so that its text is legible on any picture, and cleared: on a driver without a GPU, blending
-// it took as long as all that stands on it.
+// The background of a box, opaque so that its text is legible on any picture, and cleared: on a driver
+// without a GPU, blending it took as long as all that stands on it.
 void PanelDrawer::fill(const ImDrawList*, const ImDrawCmd* command) {
     const Box& box = *static_cast<const Box*>(command->UserCallbackData);
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -60,9 +60,9 @@ void PanelDrawer::fill(const ImDrawList*, const ImDrawCmd* command) {
     glClearColor(before[0], before[1], before[2], before[3]);
 }
 
-// A box of `content` at `place`; `pivot` is the corner of the box that stands there. It is as large as its content was in the
-// pass before, or as wide as `most` if it is to `fill` it; another pass follows if that has changed. Beyond `most` it scrolls.
-// Returns its size.
+// A box of `content` at `place`; `pivot` is the corner of the box that stands there. It is as large as its
+// content was in the pass before, or as wide as `most` if it is to `fill` it; another pass follows if that
+// has changed. Beyond `most` it scrolls. Returns its size.
 template <class Content>
 ImVec2 PanelDrawer::box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 most, const Content& content,
                         bool fills) {

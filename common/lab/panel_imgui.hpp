@@ -14,8 +14,8 @@ namespace lab {
 
 /// Draws a Panel over the frame of a window, and answers the mouse and the keys where they concern it.
 ///
-/// What ImGui is told of the mouse is worked off at once, by a pass that lays the last panel out again and draws nothing: so each
-/// press meets the widgets where they are, however slowly the program draws.
+/// What ImGui is told of the mouse is worked off at once, by a pass that lays the last panel out again and
+/// draws nothing: so each press meets the widgets where they are, however slowly the program draws.
 class PanelDrawer {
   public:
     explicit PanelDrawer(GLFWwindow* window);
@@ -54,9 +54,9 @@ class PanelDrawer {
     /// The cursor that fits where the mouse is, as ImGuiMouseCursor.
     int cursor() const { return cursor_; }
 
-    /// Where each thing was drawn last, its centre, in the window's pixels, one per line: "symbol term cosine 300 52",
-    /// "widget term ambient 812 240", "group terms 800 90", "handle light 2 500 300", "divider 480 330". What is scrolled out of
-    /// sight or folded away is missing.
+    /// Where each thing was drawn last, its centre, in the window's pixels, one per line: "symbol term cosine
+    /// 300 52", "widget term ambient 812 240", "group terms 800 90", "handle light 2 500 300", "divider 480
+    /// 330". What is scrolled out of sight or folded away is missing.
     std::string placesText() const;
 
   private:

@@ -15,14 +15,16 @@ namespace lab {
 
 namespace {
 
-// Debian's fonts-dejavu-core; without it ImGui's own font draws the letters, and question marks for Greek ones.
+// Debian's fonts-dejavu-core; without it ImGui's own font draws the letters, and question marks for Greek
+// ones.
 constexpr const char* fontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 ImU32 rgb(unsigned code, unsigned alpha = 255) {
     return IM_COL32((code >> 16) & 255, (code >> 8) & 255, code & 255, alpha);
 }
 
-// The characters of `text` that need no baking are those which `known` has; says whether there was another one.
+// The characters of `text` that need no baking are those which `known` has; says whether there was another
+// one.
 bool add(std::string_view text, std::vector<bool>& known) {
     bool added = false;
     for (const char *at = text.data(), *end = at + text.size(); at < end;) {

@@ -14,8 +14,9 @@ namespace lab {
 /// What everything of the panel looks like, for one style on one screen.
 class Look {
   public:
-    /// Bakes what this panel needs and is not there yet: its font size on this screen, and its characters. `contentScale` is
-    /// the screen's, `density` framebuffer pixels per unit of the window. Not within a frame of ImGui.
+    /// Bakes what this panel needs and is not there yet: its font size on this screen, and its characters.
+    /// `contentScale` is the screen's, `density` framebuffer pixels per unit of the window. Not within a
+    /// frame of ImGui.
     void prepare(const Panel& panel, float contentScale, float density);
 
     /// Height of a line of text, in the window's units.

@@ -25,7 +25,8 @@ struct Grab {
 /// The nearest handle within 0.6 lines of text, else the divider's grip or line.
 Grab grabAt(const Look& look, const Panel& panel, const Free& free, ImVec2 mouse);
 
-/// Draws it all under ImGui's boxes. `grab` is what the mouse holds or is over: it is drawn larger, a handle with its help.
+/// Draws it all under ImGui's boxes. `grab` is what the mouse holds or is over: it is drawn larger, a handle
+/// with its help.
 void drawOverlay(Brush& brush, const Panel& panel, const Free& free, const Grab& grab);
 
 }  // namespace lab

@@ -21,8 +21,9 @@ struct Brush {
     std::vector<Place> places;
 };
 
-/// Width of `text` in letters of this size. L_A is drawn with a real subscript, x^2 with an exponent: what follows a single
-/// letter's _, or a ^, up to the next character that is neither letter nor digit. So lesson_04_ambient stays as it is.
+/// Width of `text` in letters of this size. L_A is drawn with a real subscript, x^2 with an exponent: what
+/// follows a single letter's _, or a ^, up to the next character that is neither letter nor digit. So
+/// lesson_04_ambient stays as it is.
 float richWidth(const Look& look, float size, std::string_view text);
 
 /// Draws it, `at` is the upper left corner.

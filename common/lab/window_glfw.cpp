@@ -122,7 +122,8 @@ class GlfwWindow final : public Window {
         });
     }
 
-    // One movement on top of the one before it is one movement: a slow program does not fall behind the mouse.
+    // One movement on top of the one before it is one movement: a slow program does not fall behind the
+    // mouse.
     void add(Event event) {
         charMayFollow_ = false;
         const bool moves = event.kind == Event::Kind::drag || event.kind == Event::Kind::pan ||

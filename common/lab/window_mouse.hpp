@@ -8,8 +8,9 @@
 
 namespace lab {
 
-/// Turns what GLFW tells of the mouse into events, and tells the panel what is its own. What is pressed keeps the mouse until it
-/// is let go, wherever that is. First come boxes and popups, then handles, then the divider, then the picture.
+/// Turns what GLFW tells of the mouse into events, and tells the panel what is its own. What is pressed keeps
+/// the mouse until it is let go, wherever that is. First come boxes and popups, then handles, then the
+/// divider, then the picture.
 class Mouse {
   public:
     /// `tell` gets each event as it happens.
