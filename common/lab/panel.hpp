@@ -112,7 +112,7 @@ struct PanelDivider {
 
 /// How the panel is to look.
 struct PanelStyle {
-    int fontSize = 16;  ///< 16 to 48, pixels where the screen's scale is 1
+    int fontSize = 16;  ///< 16 to 48: height of a line of text, pixels where the screen's scale is 1
     bool light = false;  ///< dark text on light, for weak projectors
     bool operator==(const PanelStyle&) const = default;
 };
@@ -123,7 +123,7 @@ struct Panel {
     std::vector<PanelSymbol> equation;  ///< at the top, left to right
     std::string slide;  ///< beside the equation: "slide 42"
     std::vector<Line> message;  ///< below the equation; may be empty
-    std::vector<Line> probe;  ///< below the message, in columns of equal width where a line has several spans; may be empty
+    std::vector<Line> probe;  ///< below the message; spans of a line are aligned in columns; may be empty
     std::vector<PanelCurve> curves;  ///< beside the probe
     std::vector<WidgetGroup> groups;  ///< at the right; empty: hidden
     std::vector<Line> rows;  ///< in the lower left corner: readings, keys, what was left out; may be empty

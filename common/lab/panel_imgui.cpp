@@ -45,35 +45,55 @@ void PanelDrawer::shutDown() {
     ImGui::DestroyContext();
 }
 
-// A box of `content` at `place`; `pivot` is the corner of the box that stands there. It is as large as its content was in the
-// pass before, or as wide as `most` if it is to `fill` it; another pass follows if that has changed. Beyond `most` it scrolls.
-// Returns its size.
+// The background of a box, opaque so that its text is legible on any picture, and cleared: on a driver
+// without a GPU, blending it took as long as all that stands on it.
+void PanelDrawer::fill(const ImDrawList*, const ImDrawCmd* command) {
+    const Box& box = *static_cast<const Box*>(command->UserCallbackData);
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const float bottom = ImGui::GetIO().DisplaySize.y - box.at.y - box.size.y;
+    GLfloat before[4];
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, before);
+    glScissor(static_cast<GLint>(box.at.x * scale.x), static_cast<GLint>(bottom * scale.y),
+              static_cast<GLsizei>(box.size.x * scale.x), static_cast<GLsizei>(box.size.y * scale.y));
+    glClearColor(box.color.x, box.color.y, box.color.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glClearColor(before[0], before[1], before[2], before[3]);
+}
+
+// A box of `content` at `place`; `pivot` is the corner of the box that stands there. It is as large as its
+// content was in the pass before, or as wide as `most` if it is to `fill` it; another pass follows if that
+// has changed. Beyond `most` it scrolls. Returns its size.
 template <class Content>
 ImVec2 PanelDrawer::box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 most, const Content& content,
-                        bool fill) {
-    ImVec2& known = sizes_[name];
+                        bool fills) {
+    Box& known = boxes_[name];
     const ImVec2 pad = ImGui::GetStyle().WindowPadding;
-    const bool scrolls = known.y + 2 * pad.y > most.y;
+    const bool scrolls = known.content.y + 2 * pad.y > most.y;
     const float bar = scrolls ? ImGui::GetStyle().ScrollbarSize : 0;
-    const float wide = fill ? most.x : known.x + 2 * pad.x + bar;
+    const float wide = fills ? most.x : known.content.x + 2 * pad.x + bar;
     const ImVec2 size{std::ceil(std::clamp(wide, 1.0F, std::max(1.0F, most.x))),
-                      std::ceil(std::clamp(known.y + 2 * pad.y, 1.0F, std::max(1.0F, most.y)))};
-    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
+                      std::ceil(std::clamp(known.content.y + 2 * pad.y, 1.0F, std::max(1.0F, most.y)))};
+    ImGui::SetNextWindowPos({std::floor(place.x), std::floor(place.y)}, ImGuiCond_Always, pivot);
     ImGui::SetNextWindowSize(size);
-    constexpr ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                       ImGuiWindowFlags_NoFocusOnAppearing |
+                                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;
     ImGui::Begin(name, nullptr,
                  flags | (scrolls ? ImGuiWindowFlags_AlwaysVerticalScrollbar : ImGuiWindowFlags_NoScrollbar));
+    known.at = ImGui::GetWindowPos();
+    known.size = ImGui::GetWindowSize();
+    known.color = ImGui::ColorConvertU32ToFloat4(look_.box());
+    known.drawn = true;
     ImGui::BeginGroup();
     content();
     ImGui::EndGroup();
     const ImVec2 now = ImGui::GetItemRectSize();
     ImGui::End();
-    if ((!fill && std::abs(now.x - known.x) >= 0.5F) || std::abs(now.y - known.y) >= 0.5F)
+    if ((!fills && std::abs(now.x - known.content.x) >= 0.5F) || std::abs(now.y - known.content.y) >= 0.5F)
         unsettled_ = true;
-    known = now;
+    known.content = now;
     return size;
 }
 
@@ -151,27 +171,40 @@ ImVec2 PanelDrawer::readings(float top, float right, float most) {
     });
 }
 
-// Rows in the lower left corner, and the legend beside them or, where that is too narrow, above.
+// Rows in the lower left corner, and the legend beside them or, where that is too narrow, below them.
 void PanelDrawer::below(float right, float most, float rowsMost) {
     const float gap = look_.gap(), room = right - gap;
     const float bottom = ImGui::GetIO().DisplaySize.y - gap;
     const float inside = room - 2 * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize;
-    ImVec2 rows{0, 0};
-    if (!panel_.rows.empty())
-        rows =
-            box("rows", {gap, bottom}, {0, 1}, {room, rowsMost}, [&] { flow(look_, panel_.rows, inside); });
-    if (!panel_.legend)
+    const float legendWide = std::min(inside, look_.em() * 20);
+    const float taken = boxes_["legend"].content.x + 2 * ImGui::GetStyle().WindowPadding.x;
+    const bool beside = rowsWide_ + 2 * ImGui::GetStyle().WindowPadding.x + 3 * gap + taken <= right;
+    const bool both = panel_.legend && !panel_.rows.empty() && !beside;
+    if (!panel_.rows.empty()) {
+        const ImVec2 size = box("rows", {gap, bottom}, {0, 1}, {room, rowsMost}, [&] {
+            ImGui::BeginGroup();
+            flow(look_, panel_.rows, inside);
+            ImGui::EndGroup();
+            rowsWide_ = ImGui::GetItemRectSize().x;
+            if (both)
+                drawLegend(look_, *panel_.legend, legendWide);
+        });
+        free_.rowsTop = bottom - size.y;
+        free_.rowsRight = gap + size.x;
+    }
+    legendApart_ = panel_.legend && !both;
+    if (!legendApart_)
         return;
-    const float wide = sizes_["legend"].x + 2 * ImGui::GetStyle().WindowPadding.x;
-    const bool beside = rows.y <= 0 || gap + rows.x + gap + wide <= right;
-    box("legend", {right, beside ? bottom : bottom - rows.y - gap}, {1, 1}, {room, most * 0.5F},
-        [&] { drawLegend(look_, *panel_.legend, std::min(inside, look_.em() * 20)); });
+    const ImVec2 size = box("legend", {right, bottom}, {1, 1}, {room, most * 0.6F},
+                            [&] { drawLegend(look_, *panel_.legend, legendWide); });
+    free_.legendTop = bottom - size.y;
+    free_.legendLeft = right - size.x;
 }
 
 void PanelDrawer::layOut() {
     if (std::exchange(closing_, false))
         ImGui::ClosePopupToLevel(0, true);
-    Brush brush{look_, {}, {}};
+    Brush brush{look_, {}, std::exchange(typed_, {}), {}};
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float gap = look_.gap();
     const float wide = window.x - 2 * gap;
@@ -187,10 +220,11 @@ void PanelDrawer::layOut() {
         top += size.y + gap;
         columnTop = gap + size.x > right ? top : gap;
     }
-    free_ = {top - gap, window.y, 0, top - gap, columnLeft};
+    free_ = {top - gap, 0, top - gap, columnLeft, window.y, 0, window.y, window.x};
     const float most = window.y - top - gap;
-    const float lines =
-        panel_.rows.empty() ? 0 : sizes_["rows"].y + 2 * ImGui::GetStyle().WindowPadding.y + gap;
+    const float rows = panel_.rows.empty() ? 0 : boxes_["rows"].content.y;
+    const float lines = std::max(rows, legendApart_ ? boxes_["legend"].content.y : 0) +
+                        2 * ImGui::GetStyle().WindowPadding.y + gap;
     const bool reads = !panel_.message.empty() || !panel_.probe.empty() || !panel_.curves.empty();
     const float readingsMost = std::max(most * 0.6F, most - lines);
     float used = 0;
@@ -204,7 +238,14 @@ void PanelDrawer::layOut() {
     if (columnWide > 0)
         column(brush, columnTop, columnWide);
     drawOverlay(brush, panel_, free_, grab_);
+    for (auto& [name, box] : boxes_)  // over what lies on the picture, under what stands in the boxes
+        if (std::exchange(box.drawn, false))
+            ImGui::GetBackgroundDrawList()->AddCallback(fill, &box);
     said_.insert(said_.end(), brush.said.begin(), brush.said.end());
+    if (ImGui::GetIO().WantTextInput)
+        typed_ = std::move(brush.typed);
+    else if (!brush.typed.empty())
+        said_.push_back(std::move(brush.typed));
     places_ = std::move(brush.places);
 }
 

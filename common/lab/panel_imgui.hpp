@@ -14,8 +14,8 @@ namespace lab {
 
 /// Draws a Panel over the frame of a window, and answers the mouse and the keys where they concern it.
 ///
-/// What ImGui is told of the mouse is worked off at once, by a pass that lays the last panel out again and draws nothing: so each
-/// press meets the widgets where they are, however slowly the program draws.
+/// What ImGui is told of the mouse is worked off at once, by a pass that lays the last panel out again and
+/// draws nothing: so each press meets the widgets where they are, however slowly the program draws.
 class PanelDrawer {
   public:
     explicit PanelDrawer(GLFWwindow* window);
@@ -31,6 +31,7 @@ class PanelDrawer {
     void modifiers(bool shift, bool control);
     void button(int button, bool pressed);
     void wheel(double dx, double dy);
+    /// While takesText(), and whenever a key is let go.
     void key(int glfwKey, int scancode, int action, int modifiers);
     void character(unsigned code);
     /// Works off what the mouse did.
@@ -53,12 +54,20 @@ class PanelDrawer {
     /// The cursor that fits where the mouse is, as ImGuiMouseCursor.
     int cursor() const { return cursor_; }
 
-    /// Where each thing was drawn last, its centre, in the window's pixels, one per line: "symbol term cosine 300 52",
-    /// "widget term ambient 812 240", "group terms 800 90", "handle light 2 500 300", "divider 480 330". What is scrolled out of
-    /// sight or folded away is missing.
+    /// Where each thing was drawn last, its centre, in the window's pixels, one per line: "symbol term cosine
+    /// 300 52", "widget term ambient 812 240", "group terms 800 90", "handle light 2 500 300", "divider 480
+    /// 330". What is scrolled out of sight or folded away is missing.
     std::string placesText() const;
 
   private:
+    struct Box {
+        ImVec2 content{0, 0};  // size of what is in it, as last laid out
+        ImVec2 at{0, 0}, size{0, 0};  // where it is in the window
+        ImVec4 color;
+        bool drawn = false;  // in this pass
+    };
+
+    static void fill(const ImDrawList*, const ImDrawCmd* command);
     template <class Content>
     ImVec2 box(const char* name, ImVec2 place, ImVec2 pivot, ImVec2 most, const Content& content,
                bool fill = false);
@@ -74,7 +83,9 @@ class PanelDrawer {
     bool shown_ = false;  // there was one
     Free free_{};
     Grab grab_;
-    std::map<std::string, ImVec2> sizes_;  // of each box's content, as last laid out
+    std::map<std::string, Box> boxes_;
+    bool legendApart_ = false;  // it has a box of its own
+    float rowsWide_ = 0;  // of the rows by themselves
     bool unsettled_ = false;  // one of them has changed
     bool mouseMoved_ = false;
     bool changed_ = false;
@@ -83,6 +94,7 @@ class PanelDrawer {
     unsigned hovered_ = 0;
     double time_ = 0;
     std::vector<std::string> said_;
+    std::string typed_;  // not yet said
     std::vector<Brush::Place> places_;
 };
 

@@ -52,13 +52,17 @@ void PanelDrawer::wheel(double dx, double dy) {
 }
 
 void PanelDrawer::key(int glfwKey, int scancode, int action, int modifiers) {
-    if (action == GLFW_REPEAT) {  // ImGui repeats by its own clock, which stands still here
+    if (action !=
+        GLFW_PRESS)  // held, it is pressed again: ImGui repeats by its own clock, which stands still here
         ImGui_ImplGlfw_KeyCallback(window_, glfwKey, scancode, GLFW_RELEASE, modifiers);
-        pass();
-    }
-    ImGui_ImplGlfw_KeyCallback(window_, glfwKey, scancode, action == GLFW_RELEASE ? GLFW_RELEASE : GLFW_PRESS,
-                               modifiers);
+    if (!takesText())
+        return;
     pass();
+    if (action != GLFW_RELEASE) {
+        ImGui_ImplGlfw_KeyCallback(window_, glfwKey, scancode, GLFW_PRESS, modifiers);
+        pass();
+        pass();  // in which a field that has been left says what was typed
+    }
     changed_ = true;
 }
 

@@ -4,8 +4,8 @@
 
 #include <GLES3/gl3.h>
 #include <algorithm>
-#include <cmath>
 #include <backends/imgui_impl_opengl3.h>
+#include <cmath>
 #include <fstream>
 #include <imgui_internal.h>
 #include <iterator>
@@ -15,14 +15,16 @@ namespace lab {
 
 namespace {
 
-// Debian's fonts-dejavu-core; without it ImGui's own font draws the letters, and question marks for Greek ones.
+// Debian's fonts-dejavu-core; without it ImGui's own font draws the letters, and question marks for Greek
+// ones.
 constexpr const char* fontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 ImU32 rgb(unsigned code, unsigned alpha = 255) {
     return IM_COL32((code >> 16) & 255, (code >> 8) & 255, code & 255, alpha);
 }
 
-// The characters of `text` that need no baking are those which `known` has; says whether there was another one.
+// The characters of `text` that need no baking are those which `known` has; says whether there was another
+// one.
 bool add(std::string_view text, std::vector<bool>& known) {
     bool added = false;
     for (const char *at = text.data(), *end = at + text.size(); at < end;) {
@@ -118,6 +120,7 @@ void Look::prepare(const Panel& panel, float contentScale, float density) {
 }
 
 void Look::bake(float pixels, float density) {
+    const bool first = pixels_ <= 0;
     pixels_ = pixels;
     density_ = density;
     em_ = pixels / density;
@@ -138,8 +141,12 @@ void Look::bake(float pixels, float density) {
             atlas.AddFontFromMemoryTTF(file_.data(), static_cast<int>(file_.size()), config.SizePixels,
                                        &config, letters.data());
     }
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    if (first) {
+        ImGui_ImplOpenGL3_NewFrame();  // which makes shaders, buffers and the texture
+    } else {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
     atlas.ClearTexData();  // the driver has it
     ImGui::GetIO().FontGlobalScale = 1 / density;
 }
@@ -236,7 +243,7 @@ ImU32 Look::color(Ink ink) const {
     return color(Tone::plain);
 }
 
-ImU32 Look::box() const { return light_ ? rgb(0xFAFAF8, 232) : rgb(0x14171C, 218); }
+ImU32 Look::box() const { return light_ ? rgb(0xFAFAF8, 225) : rgb(0x14171C, 225); }
 
 ImU32 Look::outline() const { return light_ ? rgb(0xFFFFFF, 235) : rgb(0x0A0C10, 235); }
 

@@ -4,6 +4,7 @@
 
 #include "lab/panel.hpp"
 
+#include <algorithm>
 #include <imgui.h>
 #include <string>
 #include <vector>
@@ -13,21 +14,22 @@ namespace lab {
 /// What everything of the panel looks like, for one style on one screen.
 class Look {
   public:
-    /// Bakes what this panel needs and is not there yet: its font size on this screen, and its characters. `contentScale` is
-    /// the screen's, `density` framebuffer pixels per unit of the window. Not within a frame of ImGui.
+    /// Bakes what this panel needs and is not there yet: its font size on this screen, and its characters.
+    /// `contentScale` is the screen's, `density` framebuffer pixels per unit of the window. Not within a
+    /// frame of ImGui.
     void prepare(const Panel& panel, float contentScale, float density);
 
     /// Height of a line of text, in the window's units.
     float em() const { return em_; }
     float small() const { return em_ * smallShare; }  ///< of keys and slides beside the equation
     float equation() const { return em_ * equationShare; }  ///< of the equation where it has room
-    float gap() const { return em_ * 0.5F; }  ///< between boxes, and to the window's border
+    float gap() const { return std::min(em_ * 0.5F, 12.0F); }  ///< between boxes, and to the window's border
     /// The font whose letters are closest to this size without being stretched.
     ImFont* font(float size) const;
 
     ImU32 color(Tone tone) const;
     ImU32 color(Ink ink) const;
-    ImU32 box() const;  ///< behind text, not quite opaque
+    ImU32 box() const;  ///< behind text; not quite opaque behind single words
     ImU32 outline() const;  ///< around what is drawn over the picture
     ImU32 chip(bool hovered) const;  ///< behind an active symbol
 

@@ -63,6 +63,36 @@ namespace {
 
 bool finite(const PanelPoint& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
+// Where the dot's text hides the least of the line: around the dot, or in the corners.
+template <class Place>
+ImVec2 roomiest(const Look& look, const PanelCurve& curve, ImVec2 dot, ImVec2 corner, ImVec2 size,
+                const Place& place) {
+    const ImVec2 text{richWidth(look, look.em(), curve.dotText), look.em() * 1.2F};
+    const ImVec2 end{corner.x + size.x - text.x, corner.y + size.y - text.y};
+    const float off = look.em() * 0.4F;
+    ImVec2 best{corner.x, corner.y};
+    int fewest = -1;
+    for (const float x : {dot.x + off, dot.x - off - text.x, end.x, corner.x + off})
+        for (const float y : {dot.y - off - text.y, dot.y + off, corner.y, end.y}) {
+            const ImVec2 at{std::max(corner.x, std::min(x, end.x)), std::max(corner.y, std::min(y, end.y))};
+            int hidden = 0;
+            const auto count = [&](ImVec2 p, int weight) {
+                const bool over =
+                    p.x > at.x - off && p.x < at.x + text.x + off && p.y > at.y && p.y < at.y + text.y;
+                hidden += over ? weight : 0;
+            };
+            for (const PanelPoint& point : curve.line)
+                if (finite(point))
+                    count(place(point), 4);
+            count(dot, 100);
+            if (fewest < 0 || hidden < fewest) {
+                fewest = hidden;
+                best = at;
+            }
+        }
+    return best;
+}
+
 // What of the diagram lies between the axes.
 void drawInside(ImDrawList& list, const Look& look, const PanelCurve& curve, ImVec2 corner, ImVec2 size) {
     const auto place = [corner, size](const PanelPoint& point) {
@@ -82,14 +112,8 @@ void drawInside(ImDrawList& list, const Look& look, const PanelCurve& curve, ImV
     list.AddLine(dot, {dot.x, corner.y + size.y}, axes, thin);
     list.AddCircleFilled(dot, look.em() * 0.3F, look.outline());
     list.AddCircleFilled(dot, look.em() * 0.24F, look.color(Ink::reflected));
-    const float wide = richWidth(look, look.em(), curve.dotText);
-    // Where the curve is not: beside the dot on the roomier side, and in the upper half while the dot is low.
-    const float low = corner.x + look.gap(), high = corner.x + size.x - wide;
-    const float x =
-        dot.x + look.em() * 0.5F > high ? dot.x - wide - look.em() * 0.5F : dot.x + look.em() * 0.5F;
-    const float y = std::clamp(dot.y - look.em() * 1.4F, corner.y, corner.y + size.y - look.em() * 1.2F);
-    drawRich(list, look, {std::max(low, std::min(x, high)), y}, look.em(), look.color(Ink::reflected),
-             curve.dotText);
+    const ImVec2 text = roomiest(look, curve, dot, corner, size, place);
+    drawRich(list, look, text, look.em(), look.color(Ink::reflected), curve.dotText);
 }
 
 void drawCurve(const Look& look, const PanelCurve& curve, float width) {

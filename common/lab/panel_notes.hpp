@@ -6,7 +6,8 @@
 
 namespace lab {
 
-/// Lines with several spans in columns, from ImGui's cursor on; where `width` is too small, smaller or without columns.
+/// Lines with several spans in columns, from ImGui's cursor on; where `width` is too small, smaller or
+/// without columns.
 void drawTable(const Look& look, const std::vector<Line>& lines, float width);
 
 /// Diagrams beside each other, on further lines where `width` is too small.

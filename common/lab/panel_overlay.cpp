@@ -21,9 +21,14 @@ std::optional<ImVec2> placeOf(const PanelPoint& point) {
 
 float lengthOf(ImVec2 v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 
+// Halfway between the boxes above and below it.
 ImVec2 gripOf(const PanelDivider& divider, const Free& free) {
     const double share = std::isfinite(divider.share) ? std::clamp(divider.share, 0.0, 1.0) : 0.5;
-    return {ImGui::GetIO().DisplaySize.x * static_cast<float>(share), (free.below + free.bottom) / 2};
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float x = window.x * static_cast<float>(share);
+    const float top = x < free.left ? free.below : free.top;
+    const float bottom = x < free.rowsRight ? free.rowsTop : x > free.legendLeft ? free.legendTop : window.y;
+    return {x, (top + bottom) / 2};
 }
 
 // One pass draws the outline, the next one the line itself.
@@ -75,8 +80,8 @@ void drawDivider(ImDrawList& list, Brush& brush, const PanelDivider& divider, co
     const float unit = look.em() / 16, pad = look.gap();
     const ImVec2 grip = gripOf(divider, free);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    list.AddLine({grip.x, 0}, {grip.x, window.y}, look.outline(), 5 * unit);
-    list.AddLine({grip.x, 0}, {grip.x, window.y}, look.color(Tone::plain), 2 * unit);
+    list.AddLine({grip.x, free.top}, {grip.x, window.y}, look.outline(), 5 * unit);
+    list.AddLine({grip.x, free.top}, {grip.x, window.y}, look.color(Tone::plain), 2 * unit);
     const float radius = look.em() * (held ? 0.7F : 0.6F);
     list.AddCircleFilled(grip, radius + 1.5F * unit, look.outline());
     list.AddCircleFilled(grip, radius, look.color(Tone::plain));

@@ -14,7 +14,8 @@ constexpr float scriptShare = 0.68F;
 
 enum class Level { line, below, above };
 
-// Length in bytes of the letter or digit at `at`; 0: there is none. Letters are ASCII's, Latin, Greek and Cyrillic ones.
+// Length in bytes of the letter or digit at `at`; 0: there is none. Letters are ASCII's, Latin, Greek and
+// Cyrillic ones.
 std::size_t alphanumeric(std::string_view text, std::size_t at) {
     if (at >= text.size())
         return 0;
@@ -109,20 +110,41 @@ void drawSpan(ImDrawList& list, const Look& look, ImVec2 at, float size, const S
 
 namespace {
 
+// How many bytes of a word fit into `width`, whole characters, at least one.
+std::size_t fitting(const Look& look, std::string_view word, float width) {
+    std::size_t length = 0;
+    do
+        ++length;
+    while (length < word.size() && ((static_cast<unsigned char>(word[length]) & 0xC0) == 0x80 ||
+                                    richWidth(look, look.em(), word.substr(0, length + 1)) <= width));
+    return length;
+}
+
 // Draws one line from `at` on and returns the lower right corner of what it took.
 ImVec2 flowLine(ImDrawList& list, const Look& look, ImVec2 at, const Line& line, float width) {
     const float size = look.em();
     const float left = at.x;
     float right = left;
-    for (const Span& span : line)
-        for (std::size_t from = 0; from < span.text.size();) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+        for (std::size_t from = 0; from < line[i].text.size();) {
+            const Span& span = line[i];
             const std::size_t word = std::min(span.text.find_first_not_of(' ', from), span.text.size());
-            const std::size_t end = std::min(span.text.find(' ', word), span.text.size());
+            std::size_t end = std::min(span.text.find(' ', word), span.text.size());
             Span piece{span.text.substr(from, end - from), span.tone};
             float wide = richWidth(look, size, piece.text);
-            if (at.x > left && at.x + wide > left + width) {
+            const bool last = end == span.text.size() && i + 1 < line.size() && word < end;
+            const std::string_view next = last ? std::string_view(line[i + 1].text) : std::string_view();
+            const float hanging =
+                richWidth(look, size, next.substr(0, std::min(next.find(' '), next.size())));
+            if (at.x > left && at.x + wide + hanging > left + width) {
                 at = {left, at.y + size * 1.2F};
                 piece.text.erase(0, word - from);
+                from = word;
+                wide = richWidth(look, size, piece.text);
+            }
+            if (wide > width && piece.text.size() > 1) {  // a path, or a word in large letters
+                piece.text.resize(fitting(look, piece.text, width));
+                end = from + piece.text.size();
                 wide = richWidth(look, size, piece.text);
             }
             drawSpan(list, look, at, size, piece);

@@ -13,6 +13,7 @@ namespace lab {
 struct Brush {
     const Look& look;
     std::vector<std::string> said;  ///< commands of what the user did, in order
+    std::string typed;  ///< the command of the field that is being typed into, if it has changed
     struct Place {
         std::string what;  ///< "widget term ambient"
         ImVec2 at;  ///< its centre, in the window's units
@@ -20,8 +21,9 @@ struct Brush {
     std::vector<Place> places;
 };
 
-/// Width of `text` in letters of this size. L_A is drawn with a real subscript, x^2 with an exponent: what follows a single
-/// letter's _, or a ^, up to the next character that is neither letter nor digit. So lesson_04_ambient stays as it is.
+/// Width of `text` in letters of this size. L_A is drawn with a real subscript, x^2 with an exponent: what
+/// follows a single letter's _, or a ^, up to the next character that is neither letter nor digit. So
+/// lesson_04_ambient stays as it is.
 float richWidth(const Look& look, float size, std::string_view text);
 
 /// Draws it, `at` is the upper left corner.

@@ -57,6 +57,13 @@ bool toggle(Widget& widget) {
     return true;
 }
 
+// From here on ImGui's letters are as much smaller as `text` needs to fit into `room`, down to a limit.
+void shrinkFor(const std::string& text, float room) {
+    const float wide = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    if (wide > room)
+        ImGui::SetWindowFontScale(std::clamp(room / wide, 0.65F, 1.0F));
+}
+
 bool choice(Widget& widget) {
     const auto words = [&widget] {
         for (const auto& [name, text] : widget.choices)
@@ -65,8 +72,17 @@ bool choice(Widget& widget) {
         return widget.value;
     };
     bool changed = false;
-    if (!ImGui::BeginCombo("##value", words().c_str(), ImGuiComboFlags_HeightLarge))
+    const std::string now = words();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float high = ImGui::GetFrameHeight();
+    shrinkFor(now, ImGui::CalcItemWidth() - high - 2 * padding.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {padding.x, (high - ImGui::GetFontSize()) / 2});
+    const bool opened = ImGui::BeginCombo("##value", now.c_str(), ImGuiComboFlags_HeightLarge);
+    ImGui::PopStyleVar();
+    if (!opened) {
+        ImGui::SetWindowFontScale(1);
         return false;
+    }
     for (const auto& [name, text] : widget.choices) {
         ImGui::PushID(name.c_str());
         if (ImGui::Selectable("##choice", name == widget.value) && name != widget.value) {
@@ -78,6 +94,7 @@ bool choice(Widget& widget) {
         ImGui::PopID();
     }
     ImGui::EndCombo();
+    ImGui::SetWindowFontScale(1);
     return changed;
 }
 
@@ -129,9 +146,7 @@ bool color(Widget& widget) {
 bool action(const Look& look, const Widget& widget) {
     const std::string text = widget.key.empty() ? widget.label : widget.label + " [" + widget.key + "]";
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
-    const float wide = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
-    if (wide > room)
-        ImGui::SetWindowFontScale(std::clamp(room / wide, 0.65F, 1.0F));
+    shrinkFor(text, room);
     const ImVec2 size{-1, look.em() + 2 * ImGui::GetStyle().FramePadding.y};
     const bool pressed = ImGui::Button((text + "###value").c_str(), size);
     ImGui::SetWindowFontScale(1);
@@ -141,7 +156,7 @@ bool action(const Look& look, const Widget& widget) {
 Line labelOf(const Widget& widget) {
     Line line{{widget.label, widget.tone}};
     if (!widget.key.empty())
-        line.push_back({" [" + widget.key + "]", Tone::idle});
+        line.push_back({"\u00A0[" + widget.key + "]", Tone::idle});
     return line;
 }
 
@@ -171,8 +186,11 @@ bool labelled(const Look& look, Widget& widget, ImVec2& centre) {
         wide += richWidth(look, look.em(), span.text);
     const bool simple = widget.kind == WidgetKind::number || widget.kind == WidgetKind::choice;
     const float control = room * (simple ? 0.5F : 0.68F);
+    float words = 0;  // of the longest choice, so that nothing jumps when another one is made
+    for (const auto& choice : widget.choices)
+        words = std::max(words, ImGui::CalcTextSize(choice[1].c_str()).x + 2 * look.em());
     const float left = ImGui::GetCursorPosX();
-    const bool beside = wide + look.gap() <= room - control;
+    const bool beside = wide + look.gap() <= room - control && words <= control;
     if (beside)
         ImGui::AlignTextToFramePadding();
     const ImVec2 at = ImGui::GetCursorPos();
@@ -203,6 +221,16 @@ bool ticked(const Look& look, Widget& widget, ImVec2& centre) {
     return changed;
 }
 
+// What is typed counts when it is complete: 2 and 2.7 are not meant where 2.75 is.
+void tell(Brush& brush, const Widget& widget) {
+    if (widget.kind == WidgetKind::action)
+        brush.said.push_back(widget.command);
+    else if (ImGui::GetIO().WantTextInput)
+        brush.typed = widget.command + " " + widget.value;
+    else
+        brush.said.push_back(widget.command + " " + widget.value);
+}
+
 void drawWidget(Brush& brush, Widget& widget) {
     const Look& look = brush.look;
     ImVec2 centre;
@@ -223,8 +251,7 @@ void drawWidget(Brush& brush, Widget& widget) {
     ImGui::EndGroup();
     tooltip(look, widget.help, ImGui::IsItemHovered() && !ImGui::IsAnyItemActive());
     if (changed)
-        brush.said.push_back(widget.kind == WidgetKind::action ? widget.command
-                                                               : widget.command + " " + widget.value);
+        tell(brush, widget);
     if (ImGui::GetCurrentWindow()->ClipRect.Contains(centre))  // not scrolled out of sight
         brush.places.push_back({"widget " + widget.command, centre});
 }

@@ -6,8 +6,8 @@
 
 namespace lab {
 
-/// Draws a group from ImGui's cursor on. What the user changes is said, and changed in the group as well: until the program
-/// answers with a new panel, the next frame goes on from there.
+/// Draws a group from ImGui's cursor on. What the user changes is said, and changed in the group as well:
+/// until the program answers with a new panel, the next frame goes on from there.
 void drawGroup(Brush& brush, WidgetGroup& group);
 
 /// Numbers as a command has them, shortest so that they are read back as the same: "1,2.5,3".

@@ -61,21 +61,24 @@ class Window {
     virtual void wake() = 0;
     /// Draws the panel over the frame and shows both.
     virtual void show(const Panel& panel) = 0;
-    /// From now on, saved files of these folders are told as Event::Kind::file (in place of those told before).
+    /// From now on, saved files of these folders are told as Event::Kind::file (in place of those told
+    /// before).
     virtual void watch(const std::vector<std::string>& folders) = 0;
     virtual void setTitle(const std::string& title) = 0;
     virtual void toggleFullscreen() = 0;
-    /// Where each thing of the panel was drawn last, so that a test knows where to click: its kind, what it says, its centre in
-    /// the window's pixels, one per line: "symbol term cosine 300 52", "widget term ambient 812 240", "group terms 800 90",
-    /// "handle light 2 500 300", "divider 480 330". What is folded away or scrolled out of sight is missing.
+    /// Where each thing of the panel was drawn last, so that a test knows where to click: its kind, what it
+    /// says, its centre in the window's pixels, one per line: "symbol term cosine 300 52", "widget term
+    /// ambient 812 240", "group terms 800 90", "handle light 2 500 300", "divider 480 330". What is folded
+    /// away or scrolled out of sight is missing.
     virtual std::string places() const = 0;
 };
 
-/// Opens a window by loading the module, or gives back the one that is open in this process. Null with a reason where there is
-/// no display or no module.
+/// Opens a window by loading the module, or gives back the one that is open in this process. Null with a
+/// reason where there is no display or no module.
 std::shared_ptr<Window> openWindow(int width, int height, const std::string& title, std::string& reason);
 
-/// The module's one entry point (extern "C" lambertOpenWindow): leaves `window` null, with a reason, where it cannot.
+/// The module's one entry point (extern "C" lambertOpenWindow): leaves `window` null, with a reason, where it
+/// cannot.
 using OpenWindowFunction = void (*)(int width, int height, const char* title, std::shared_ptr<Window>& window,
                                     std::string& reason);
 

@@ -5,6 +5,7 @@
 #include "lab/panel_imgui.hpp"
 #include "lab/window_keys.hpp"
 #include "lab/window_lost.hpp"
+#include "lab/window_mouse.hpp"
 #include "lab/window_outside.hpp"
 
 #define GLFW_INCLUDE_ES3
@@ -27,9 +28,10 @@ std::string glfwReason() {
 
 class GlfwWindow final : public Window {
   public:
-    explicit GlfwWindow(GLFWwindow* window) : window_(window), panel_(window) {
+    explicit GlfwWindow(GLFWwindow* window)
+        : window_(window), panel_(window),
+          mouse_(window, panel_, [this](Event event) { add(std::move(event)); }) {
         glfwSetWindowUserPointer(window, this);
-        glfwGetCursorPos(window, &x_, &y_);  // so that the first drag does not jump
         listen();
         for (const auto& [imgui, glfw] : {std::pair{ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR},
                                           std::pair{ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR},
@@ -57,7 +59,8 @@ class GlfwWindow final : public Window {
             glfwWaitEvents();
         else
             glfwPollEvents();
-        settleMouse();
+        mouse_.settle();
+        setCursor();
         takeOutside();
         collectPanel();
         return std::exchange(events_, {});
@@ -95,9 +98,6 @@ class GlfwWindow final : public Window {
     std::string places() const override { return panel_.placesText(); }
 
   private:
-    // What has the button that is down.
-    enum class Held { nothing, panel, picture, pan, handle, divider };
-
     static GlfwWindow& of(GLFWwindow* w) { return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(w)); }
 
     void listen() {
@@ -106,12 +106,13 @@ class GlfwWindow final : public Window {
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { of(w).character(code); });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
-            of(w).button(button, action == GLFW_PRESS, modifiers);
+            of(w).mouse_.button(button, action == GLFW_PRESS, modifiers);
+            of(w).collectPanel();
         });
-        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).move(x, y); });
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).mouse_.move(x, y); });
         glfwSetCursorEnterCallback(window_,
-                                   [](GLFWwindow* w, int entered) { of(w).enter(entered == GLFW_TRUE); });
-        glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).wheel(x, y); });
+                                   [](GLFWwindow* w, int in) { of(w).mouse_.enter(in == GLFW_TRUE); });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { of(w).mouse_.wheel(x, y); });
         glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).add({}); });
         glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { of(w).add({}); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).add({}); });
@@ -121,20 +122,8 @@ class GlfwWindow final : public Window {
         });
     }
 
-    // Where the mouse is, as every event of the mouse has it.
-    Event mouseEvent(Event::Kind kind) const {
-        int width = 1, height = 1;
-        glfwGetWindowSize(window_, &width, &height);
-        Event event{kind};
-        event.x = x_ / std::max(1, width);
-        event.y = y_ / std::max(1, height);
-        event.modified = pressed(GLFW_KEY_LEFT_SHIFT) || pressed(GLFW_KEY_RIGHT_SHIFT);
-        event.control = pressed(GLFW_KEY_LEFT_CONTROL) || pressed(GLFW_KEY_RIGHT_CONTROL);
-        return event;
-    }
-    bool pressed(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
-
-    // One movement on top of the one before it is one movement: a slow program does not fall behind the mouse.
+    // One movement on top of the one before it is one movement: a slow program does not fall behind the
+    // mouse.
     void add(Event event) {
         charMayFollow_ = false;
         const bool moves = event.kind == Event::Kind::drag || event.kind == Event::Kind::pan ||
@@ -171,10 +160,11 @@ class GlfwWindow final : public Window {
         charMayFollow_ = false;
         const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0, control = (modifiers & GLFW_MOD_CONTROL) != 0;
         panel_.modifiers(shift, control);
-        if (panel_.takesText()) {
+        const bool typing = panel_.takesText();
+        if (typing || action == GLFW_RELEASE)
             panel_.key(key, scancode, action, modifiers);
+        if (typing)
             return collectPanel();
-        }
         const int code = keyCode(key, scancode);
         if (code == 0 || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0)
             return;
@@ -196,125 +186,6 @@ class GlfwWindow final : public Window {
         else if (charMayFollow_ && typedMeans(code))
             events_.back().key = static_cast<int>(code);
         charMayFollow_ = false;
-    }
-
-    void button(int button, bool pressed, int modifiers) {
-        panel_.modifiers((modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0);
-        if (pressed && held_ == Held::nothing)
-            press(button);
-        else if (!pressed && held_ != Held::nothing && button == heldButton_)
-            letGo();
-    }
-
-    void press(int button) {
-        settleMouse();
-        heldButton_ = button;
-        const Grab grab = panel_.grabAt(x_, y_);
-        if (panel_.takesMouse()) {
-            held_ = Held::panel;
-            panel_.button(button, true);
-            return collectPanel();
-        }
-        panel_.button(button, true);  // on no box: a field that was open closes
-        panel_.button(button, false);
-        collectPanel();
-        if (button == GLFW_MOUSE_BUTTON_RIGHT)
-            held_ = Held::pan;
-        else if (button != GLFW_MOUSE_BUTTON_LEFT)
-            return;
-        else if (grab.kind == Grab::Kind::nothing)
-            held_ = Held::picture;
-        else
-            held_ = grab.kind == Grab::Kind::handle ? Held::handle : Held::divider;
-        grab_ = grab;
-    }
-
-    void letGo() {
-        const Held was = std::exchange(held_, Held::nothing);
-        if (was == Held::panel)
-            panel_.button(heldButton_, false);
-        else
-            add(mouseEvent(Event::Kind::release));
-        panel_.mouseAt(x_, y_);
-        moved_ = true;
-        collectPanel();
-    }
-
-    void move(double x, double y) {
-        int height = 1;
-        glfwGetWindowSize(window_, nullptr, &height);
-        const double dx = (x - x_) / std::max(1, height), dy = (y - y_) / std::max(1, height);
-        x_ = x;
-        y_ = y;
-        switch (held_) {
-        case Held::nothing:
-        case Held::panel:
-            panel_.mouseAt(x, y);
-            moved_ = true;
-            return;
-        case Held::picture:
-        case Held::pan: {
-            Event event = mouseEvent(held_ == Held::pan ? Event::Kind::pan : Event::Kind::drag);
-            event.dx = dx;
-            event.dy = dy;
-            return add(std::move(event));
-        }
-        case Held::handle:
-        case Held::divider:
-            return dragGrab();
-        }
-    }
-
-    // The thing stays as far from the mouse as it was when it was taken.
-    void dragGrab() {
-        int width = 1, height = 1;
-        glfwGetWindowSize(window_, &width, &height);
-        Event event = mouseEvent(held_ == Held::handle ? Event::Kind::handle : Event::Kind::divider);
-        event.text = grab_.name;
-        event.x = (x_ + static_cast<double>(grab_.offset.x)) / std::max(1, width);
-        event.y = (y_ + static_cast<double>(grab_.offset.y)) / std::max(1, height);
-        if (held_ == Held::divider)
-            event.x = panel_.dividerShare(x_ + static_cast<double>(grab_.offset.x));
-        add(std::move(event));
-    }
-
-    // Tells the panel, and then the picture, where the mouse has come to.
-    void settleMouse() {
-        if (!std::exchange(moved_, false))
-            return;
-        panel_.settle();
-        const bool onPicture = inside_ && !panel_.takesMouse() && held_ != Held::panel;
-        if (held_ == Held::nothing)
-            panel_.showGrab(onPicture ? panel_.grabAt(x_, y_) : Grab{});
-        panel_.settle();
-        setCursor();
-        if (held_ == Held::nothing && onPicture)
-            add(mouseEvent(Event::Kind::hover));
-        else if (hovers_ && !onPicture)
-            add({Event::Kind::leave});
-        hovers_ = onPicture;
-    }
-
-    void enter(bool entered) {
-        inside_ = entered;
-        if (held_ != Held::nothing)
-            return;
-        if (entered)
-            panel_.mouseAt(x_, y_);
-        else
-            panel_.mouseAway();
-        moved_ = true;
-    }
-
-    void wheel(double dx, double dy) {
-        settleMouse();
-        if (panel_.takesMouse()) {
-            panel_.wheel(dx, dy);
-            return;
-        }
-        Event event = mouseEvent(Event::Kind::wheel);
-        event.dy = dy;
-        add(std::move(event));
     }
 
     void setCursor() {
@@ -343,19 +214,12 @@ class GlfwWindow final : public Window {
 
     GLFWwindow* window_;
     PanelDrawer panel_;
+    Mouse mouse_;
     std::optional<Outside> outside_;
     std::vector<Event> events_;
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors_{};  // null: the arrow
     int cursor_ = ImGuiMouseCursor_Arrow;
-    Held held_ = Held::nothing;
-    int heldButton_ = 0;
-    Grab grab_;
-    bool moved_ = false;  // since the mouse was last settled
-    bool inside_ = true;
-    bool hovers_ = false;  // the program believes that the mouse is over the picture
     bool charMayFollow_ = false;  // the last event is the key that is being told
-    double x_ = 0;
-    double y_ = 0;
     std::array<int, 4> place_{};  // x, y, width, height before fullscreen
 };
 

@@ -20,14 +20,16 @@ class Outside {
     Outside(const Outside&) = delete;
     Outside& operator=(const Outside&) = delete;
 
-    /// Replaces what was watched. Folders that do not exist are left out; those in them are not watched. A file counts as saved
-    /// when it is closed after writing, or moved to its name, as editors do.
+    /// Replaces what was watched. Folders that do not exist are left out; those in them are not watched. A
+    /// file counts as saved when it is closed after writing, or moved to its name, as editors do.
     void watch(const std::vector<std::string>& folders);
-    /// What came since the last call: Event::Kind::line, endOfLines (once) and file, in order; a file saved several times
-    /// stands there once. Lines have no \r\n, and no more than 64 KiB: what follows of a longer one is dropped.
+    /// What came since the last call: Event::Kind::line, endOfLines (once) and file, in order; a file saved
+    /// several times stands there once. Lines have no \r\n, and no more than 64 KiB: what follows of a longer
+    /// one is dropped.
     std::vector<Event> take();
 
-    /// Takes the place of a stdin that is closed, so that no other file becomes it. Before anything opens files.
+    /// Takes the place of a stdin that is closed, so that no other file becomes it. Before anything opens
+    /// files.
     static void secureStdin();
 
   private:
