@@ -72,7 +72,7 @@ TEST_F(CompileAside, ABrokenFileKeepsTheStandIn) {
     frame(aside);
     aside.finishCompiling();
     support::writeFile(file, "float cosine(vec3 n, vec3 v) { return ;\n");
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 80; ++i) {
         lamp.position.x = i < 20 ? 2 + 0.01 * i : 2.2;
         ASSERT_NO_THROW(frame(aside)) << "frame " << i;
         aside.finishCompiling();
