@@ -134,7 +134,6 @@ void PanelDrawer::draw(const Panel& panel) {
     if (width < 1 || pixelsWide < 1)
         return;
     look_.prepare(panel_, scale, static_cast<float>(pixelsWide) / static_cast<float>(width));
-    ImGui_ImplOpenGL3_NewFrame();  // makes its shader, the first time
     constexpr int mostPasses = 4;
     for (int i = 0; i < mostPasses && pass() && unsettled_; ++i) {
     }
