@@ -98,10 +98,13 @@ image::Frame RenderTarget::read() const {
 }
 
 std::array<std::uint8_t, 3> RenderTarget::pixel(int x, int y) const {
-    bind();
+    GLint before = 0;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);  // only that: what is drawn into stays
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     std::array<std::uint8_t, 4> rgba{};
     glReadPixels(x, height_ - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
     return {rgba[0], rgba[1], rgba[2]};
 }
 

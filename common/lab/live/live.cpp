@@ -293,6 +293,8 @@ class Live final : public Host {
         return probeText(*report, session_.language);
     }
     void pin(const std::optional<PanelPoint>& at) override {
+        if (pictureChanged_)
+            draw();
         const std::optional<PanelPoint> where = at ? at : mouse_;
         const std::optional<ProbeReport> report = where ? look(where) : std::nullopt;
         if (!report || !report->point)
@@ -316,7 +318,7 @@ class Live final : public Host {
         };
         keep("--lang", session_.language == Language::it ? "it" : "en");
         keep("--presenter", numbersText({session_.fontSize}));
-        keep("--theme", session_.light ? "light" : "dark");
+        keep("--theme", session_.lightTheme ? "light" : "dark");
         if (!options_.shaders.empty())
             keep("--shaders", options_.shaders);
         leave_ = true;
@@ -331,21 +333,28 @@ class Live final : public Host {
         if (!screen_.size(width, height))
             return std::nullopt;
         const auto pixel = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
-        const int x = at ? pixel(at->x, width) : width - 1;
         const std::vector<Side> sides = session_.sides(width, before_);
-        const Side& side = sides.front().endColumn > x ? sides.front() : sides.back();
-        if (sceneChanged_ || pictureChanged_ || side.firstColumn != probedFrom_) {
-            session_.update(width, height);
-            prober_.see(side.view->scene(), side.view->camera(), side.settings, width, height);
-            sceneChanged_ = false;
-            probedFrom_ = side.firstColumn;
-        }
-        std::optional<ProbeReport> report = at            ? prober_.at(x, pixel(at->y, height))
-                                            : session_.pin ? prober_.at(*session_.pin)
-                                                           : std::nullopt;
+        const auto ask = [&](const Side& side) {
+            see(side, width, height);
+            return at ? prober_.at(pixel(at->x, width), pixel(at->y, height)) : prober_.at(*session_.pin);
+        };
+        if (!at && !session_.pin)
+            return std::nullopt;
+        const Side& first = sides.front();
+        std::optional<ProbeReport> report = ask(at && pixel(at->x, width) < first.endColumn ? first : sides.back());
+        if (!at && report && report->pixel && (*report->pixel)[0] < first.endColumn && first.view == &session_.view())
+            report = ask(first);
         if (report && report->pixel)
             report->drawn = screen_.pixel(session_, (*report->pixel)[0], (*report->pixel)[1]);
         return report;
+    }
+
+    void see(const Side& side, int width, int height) {
+        if (!sceneChanged_ && side.firstColumn == probedFrom_)
+            return;
+        prober_.see(side.view->scene(), side.view->camera(), side.settings, width, height);
+        sceneChanged_ = false;
+        probedFrom_ = side.firstColumn;
     }
 
     void draw() {

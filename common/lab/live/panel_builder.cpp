@@ -40,7 +40,7 @@ class Builder {
     Builder(Session& session, const PanelFacts& facts) : session_(session), facts_(facts) {}
 
     Panel build() {
-        panel_.style = {static_cast<int>(session_.fontSize), session_.light};
+        panel_.style = {static_cast<int>(session_.fontSize), session_.lightTheme};
         addEquation();
         if (!facts_.message.text.empty())
             panel_.message.push_back({facts_.message});
@@ -70,8 +70,15 @@ class Builder {
         if (facts_.probe) {
             panel_.equation = equationWithNumbers(*facts_.probe, symbols, session_.language);
         } else {
-            for (const Symbol& symbol : symbols)
+            lighting::TermSet named = lighting::TermSet::none();
+            for (const Symbol& symbol : symbols) {
                 panel_.equation.push_back(panelSymbol(symbol, full));
+                if (symbol.term && named.has(*symbol.term)) {  // key and slide stand with the first of a term's pieces
+                    panel_.equation.back().key.clear();
+                    panel_.equation.back().slide.clear();
+                }
+                named = symbol.term ? named.with(*symbol.term) : named;
+            }
         }
         if (!facts_.slides.empty())
             panel_.slide = "slide " + facts_.slides;
@@ -154,11 +161,18 @@ class Builder {
         if (row.needsLight)
             if (const int number = numberOf(lighting::viewLight(session_.view().scene(), session_.settings())); number > 0)
                 legend.title += std::string(tell({", luce ", ", light "})) + std::to_string(number);
-        for (const lighting::LegendEntry& entry : lighting::legend(session_.mode))
+        const std::vector<lighting::LegendEntry> entries = lighting::legend(session_.mode);
+        constexpr std::size_t most = 11;  // more are thinned out, but for the ends
+        const std::size_t every = (entries.size() + most - 2) / most;
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const lighting::LegendEntry& entry = entries[i];
+            if (every > 1 && i % every != 0 && i + 1 != entries.size())
+                continue;
             legend.entries.push_back({{entry.color.x, entry.color.y, entry.color.z},
                                       (entry.value ? valueText(*entry.value) : std::string()) +
                                           (entry.value && entry.text.en != nullptr ? "  " : "") +
                                           (entry.text.en != nullptr ? tell(entry.text) : "")});
+        }
         panel_.legend = std::move(legend);
     }
 

@@ -68,6 +68,7 @@ Text sightText(Sight sight) {
 
 // --- the table
 
+// What stands at the left of each row.
 Line headline(Language language) {
     Line line;
     for (const Text& title :
@@ -77,7 +78,7 @@ Line headline(Language language) {
     return line;
 }
 
-Line lightLine(const ProbeReport& report, const ProbeLight& light, Language language) {
+Line lightColumn(const ProbeReport& report, const ProbeLight& light, Language language) {
     const auto number = [&](double value, Term term) {
         return Span{significant(value, 4) + off(!report.on(term), language),
                     report.on(term) ? Tone::plain : Tone::idle};
@@ -97,16 +98,22 @@ Line lightLine(const ProbeReport& report, const ProbeLight& light, Language lang
     return line;
 }
 
-void addLightLines(const ProbeReport& report, Language language, std::size_t rows, std::vector<Line>& lines) {
-    lines.push_back(headline(language));
-    std::vector<int> told = brightestLights(report, rows);
+void addLights(const ProbeReport& report, Language language, std::size_t most, std::vector<Line>& lines) {
+    std::vector<Line> columns{headline(language)};
+    std::vector<int> told = brightestLights(report, most);
     // Lights that are off come where room is left.
     for (const ProbeLight& light : report.lights)
-        if (!light.counted && told.size() < rows)
+        if (!light.counted && told.size() < most)
             told.push_back(light.number);
     for (const ProbeLight& light : report.lights)
         if (std::find(told.begin(), told.end(), light.number) != told.end())
-            lines.push_back(lightLine(report, light, language));
+            columns.push_back(lightColumn(report, light, language));
+    for (std::size_t row = 0; row < columns[0].size(); ++row) {
+        Line line;
+        for (const Line& column : columns)
+            line.push_back(column[row]);
+        lines.push_back(std::move(line));
+    }
     if (told.size() < report.lights.size())
         lines.push_back({{"+ " + std::to_string(report.lights.size() - told.size()) +
                               say({" altre luci", " more lights"}, language),
@@ -126,19 +133,15 @@ void addSums(const ProbeReport& report, Language language, std::vector<Line>& li
     }
     row({"P", "P"}, report.probe.P, false);
     row({"P tra 0 e 1", "P clamped"}, report.clamped, false);
-    Line code{{say({"codice a 8 bit", "8-bit code"}, language), Tone::title},
-              {codes(report.code), Tone::title}};
-    if (report.drawn) {
-        const glm::dvec3 difference = differenceOf(report);
-        const double most =
-            std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
-        code.push_back({"GPU", Tone::plain});
-        code.push_back({codes(*report.drawn), Tone::plain});
-        // Beside a pixel's centre the two evaluate different points.
-        code.push_back({say({"differenza ", "difference "}, language) + significant(difference, exact),
-                        report.centre && most > 1 ? Tone::wrong : Tone::plain});
-    }
-    lines.push_back(code);
+    lines.push_back({{say({"codice a 8 bit", "8-bit code"}, language), Tone::title}, {codes(report.code), Tone::title}});
+    if (!report.drawn)
+        return;
+    const glm::dvec3 difference = differenceOf(report);
+    const double most = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
+    lines.push_back({{"GPU", Tone::plain}, {codes(*report.drawn), Tone::plain}});
+    // Beside a pixel's centre the two evaluate different points.
+    lines.push_back({{say({"differenza", "difference"}, language), Tone::plain},
+                     {significant(difference, exact), report.centre && most > 1 ? Tone::wrong : Tone::plain}});
 }
 
 // --- the line
@@ -242,26 +245,23 @@ std::vector<std::string> probeRemarks(const ProbeReport& report, Language langua
     return remarks;
 }
 
-std::vector<Line> probeLines(const ProbeReport& report, Language language, std::size_t lightRows) {
+std::vector<Line> probeLines(const ProbeReport& report, Language language, std::size_t lights) {
     std::vector<Line> lines;
-    std::string title = "pixel " + whereIs(report, language);
+    lines.push_back({{"pixel " + whereIs(report, language) + say({", spazio mondo", ", world space"}, language), Tone::title}});
     if (report.probe.mesh != nullptr)
-        title += "   " + report.mesh + say({", triangolo ", ", triangle "}, language) +
-                 std::to_string(report.probe.triangle) +
-                 say({"   (spazio mondo)", "   (world space)"}, language);
-    lines.push_back({{title, Tone::title}});
+        lines.push_back({{report.mesh, Tone::title}});
     for (const std::string& remark : probeRemarks(report, language))
         lines.push_back({{remark, Tone::idle}});
     if (report.probe.mesh != nullptr) {
         const bool albedoOff = report.probe.lit && !report.on(Term::albedo);
         const glm::dvec3 D = albedoOff ? glm::dvec3(1) : report.probe.D;
-        lines.push_back(
-            {{"Q = " + shortText(dusted(report.probe.Q, std::abs(report.probe.depth))), Tone::plain},
-             {"n = " + shortText(report.probe.n), Tone::plain},
-             {"D = " + colorText(D) + off(albedoOff, language), albedoOff ? Tone::idle : Tone::plain}});
+        lines.push_back({{"Q", Tone::title}, {shortText(dusted(report.probe.Q, std::abs(report.probe.depth))), Tone::plain}});
+        lines.push_back({{"n", Tone::title}, {shortText(report.probe.n), Tone::plain}});
+        lines.push_back({{"D", Tone::title},
+                         {colorText(D) + off(albedoOff, language), albedoOff ? Tone::idle : Tone::plain}});
     }
     if (!report.lights.empty())
-        addLightLines(report, language, lightRows, lines);
+        addLights(report, language, lights, lines);
     addSums(report, language, lines);
     return lines;
 }

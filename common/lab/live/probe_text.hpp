@@ -7,12 +7,11 @@
 
 namespace lab {
 
-/// For Panel::probe. First lines of one span: where the point is and what is special about it; then, for a
-/// lit one, a table with a row for each light (name, w, n . w, after the clamp, f(d), d, L, the diffuse
-/// addend) and one for each other addend, the sum, the sum clamped, its code beside the driver's. Factors
-/// that are off say so. At most `lightRows` lights are told one by one: the brightest, in the order of the
-/// scene.
-std::vector<Line> probeLines(const ProbeReport& report, Language language, std::size_t lightRows = 6);
+/// For Panel::probe. First lines of one span: where the point is and what is special about it; then rows of a name and a value, and
+/// for a lit point a table with a column for each light (w, n . w, after the clamp, f(d), d, L, the diffuse addend); then the other
+/// addends, the sum, the sum clamped, its code, and the driver's. Factors that are off say so. At most `lights` lights have a column:
+/// the brightest, in the order of the scene.
+std::vector<Line> probeLines(const ProbeReport& report, Language language, std::size_t lights = 3);
 
 /// The same, complete, in one line: "probe " and fields "name = value" with "; " between them. Names are the
 /// same in every language, numbers have six significant digits, vectors are "(x, y, z)" in world space. What

@@ -11,7 +11,7 @@
 namespace lab {
 
 Session::Session(View& view, const Options& options)
-    : switches(options.switches), renderer(options.renderer), time(options.time), light(options.lightTheme),
+    : switches(options.switches), renderer(options.renderer), time(options.time), lightTheme(options.lightTheme),
       fontSize(options.fontSize), language(options.language), view_(view), options_(options) {
     makeTable();
     if (!options.state.empty())
@@ -116,7 +116,23 @@ lighting::Settings Session::settings() const {
     lighting::Settings settings = view_.settings(switches);
     settings.view = mode;
     settings.only = only > 0 ? lights_[static_cast<std::size_t>(only - 1)] : nullptr;
+    if (settings.only == nullptr && lighting::info(mode).needsLight)
+        settings.only = lightOfView();
     return settings;
+}
+
+// Views of one light's factors show the chosen one, or one that has such a factor.
+const THREE::Light* Session::lightOfView() const {
+    const auto serves = [this](const THREE::Light* light) {
+        const bool point = dynamic_cast<const THREE::PointLight*>(light) != nullptr;
+        return light->visible && (point || (dynamic_cast<const THREE::DirectionalLight*>(light) != nullptr &&
+                                            mode != lighting::ViewMode::attenuation));
+    };
+    const auto chosen = static_cast<std::size_t>(chosenLight) - 1;
+    if (chosen < lights_.size() && serves(lights_[chosen]))
+        return lights_[chosen];
+    const auto first = std::find_if(lights_.begin(), lights_.end(), serves);
+    return first == lights_.end() ? nullptr : *first;
 }
 
 std::vector<Side> Session::sides(int width, View* before) const {

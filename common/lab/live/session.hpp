@@ -52,7 +52,7 @@ class Session {
     bool helpers = false;  ///< lights are shown, and can be grabbed
     bool legend = false;  ///< keys and what was left out are shown
     bool panel = true;  ///< the controls are shown
-    bool light = false;  ///< the theme for weak projectors
+    bool lightTheme = false;  ///< the theme for weak projectors
     double fontSize = 16;
     Language language;
 
@@ -95,6 +95,7 @@ class Session {
     void addWindowControls();
     void addHiddenControls();
     void findLights();
+    const THREE::Light* lightOfView() const;
     std::string addedKinds() const;
     void setAddedKinds(const std::string& kinds);
 

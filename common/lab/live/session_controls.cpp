@@ -183,7 +183,7 @@ void Session::addWindowControls() {
                             helpers, false));
     unsaved(table.addToggle("keys", "window", {"elenco dei tasti", "the list of keys"}, legend, false));
     unsaved(table.addToggle("panel", "window", {"i comandi a destra", "the controls at the right"}, panel, true));
-    unsaved(table.addToggle("light theme", "window", {"tema chiaro", "light theme"}, light, false));
+    unsaved(table.addToggle("light theme", "window", {"tema chiaro", "light theme"}, lightTheme, false));
     Control& size = table.addNumber("font size", "window", {"grandezza dei caratteri", "size of the text"}, 16, 48,
                                     fontSize, 16);
     size.step = 2;
