@@ -125,6 +125,7 @@ struct Panel {
     std::vector<Line> message;  ///< below the equation; may be empty
     std::vector<Line> probe;  ///< below the message; spans of a line are aligned in columns; may be empty
     std::vector<PanelCurve> curves;  ///< beside the probe
+    bool probeAtRight = false;  ///< probe and curves stand at the right edge, so that the point is seen; where there are no groups
     std::vector<WidgetGroup> groups;  ///< at the right; empty: hidden
     std::vector<Line> rows;  ///< in the lower left corner: readings, keys, what was left out; may be empty
     std::optional<PanelLegend> legend;

@@ -368,6 +368,8 @@ class Live final : public Host {
             answer("error " + *wrong);
         facts_.drawn = screen_.stats();
         facts_.legend = screen_.legend(session_);
+        int height = 0;
+        screen_.size(facts_.width, height);
         facts_.probe = session_.pin ? look({}) : session_.follow && mouse_ ? look(mouse_) : std::nullopt;
         window_.show(buildPanel(session_, facts_));
     }

@@ -45,7 +45,11 @@ class Builder {
         if (!facts_.message.text.empty())
             panel_.message.push_back({facts_.message});
         addProbe();
-        if (session_.panel)
+        // In a narrow window the probe's numbers take the place of the controls, where they do not hide the point.
+        constexpr double narrow = 75;  // heights of a line
+        const bool instead = facts_.probe && facts_.width < narrow * session_.fontSize;
+        panel_.probeAtRight = instead && facts_.probe->place && facts_.probe->place->x < 0.5;
+        if (session_.panel && !instead)
             panel_.groups = widgetGroups(session_, facts_);
         addReadings();
         if (session_.legend)

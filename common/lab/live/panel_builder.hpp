@@ -21,6 +21,7 @@ struct PanelFacts {
     render::FrameStats drawn;  ///< of the last picture
     std::optional<PanelLegend> legend;  ///< in place of the view's own
     int chosenSlider = 0;
+    int width = 960;  ///< of the window, pixels
 };
 
 Panel buildPanel(Session& session, const PanelFacts& facts);

@@ -1,6 +1,6 @@
 // Draws the table of the probe, the diagrams and the legend.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_notes.hpp"
+#include "lab/window/panel_notes.hpp"
 
 #include <algorithm>
 #include <cmath>

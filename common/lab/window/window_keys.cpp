@@ -1,6 +1,6 @@
 // The table of keys.
 // SPDX-License-Identifier: MIT
-#include "lab/window_keys.hpp"
+#include "lab/window/window_keys.hpp"
 
 #include "lab/window.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lab/panel_overlay.hpp"
-#include "lab/panel_text.hpp"
+#include "lab/window/panel_overlay.hpp"
+#include "lab/window/panel_text.hpp"
 #include "lab/window.hpp"
 
 #include <map>

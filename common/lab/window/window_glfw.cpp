@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "lab/window.hpp"
 
-#include "lab/panel_imgui.hpp"
-#include "lab/window_keys.hpp"
-#include "lab/window_lost.hpp"
-#include "lab/window_mouse.hpp"
-#include "lab/window_outside.hpp"
+#include "lab/window/panel_imgui.hpp"
+#include "lab/window/window_keys.hpp"
+#include "lab/window/window_lost.hpp"
+#include "lab/window/window_mouse.hpp"
+#include "lab/window/window_outside.hpp"
 
 #define GLFW_INCLUDE_ES3
 #include <GLFW/glfw3.h>

@@ -1,6 +1,6 @@
 // Each kind of widget by the one of Dear ImGui that suits it.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_widgets.hpp"
+#include "lab/window/panel_widgets.hpp"
 
 #include <algorithm>
 #include <charconv>

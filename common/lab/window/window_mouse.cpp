@@ -1,6 +1,6 @@
 // The state of the mouse between its events.
 // SPDX-License-Identifier: MIT
-#include "lab/window_mouse.hpp"
+#include "lab/window/window_mouse.hpp"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

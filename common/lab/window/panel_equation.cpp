@@ -1,6 +1,6 @@
 // Sets the symbols in rows; each has its key above and its slide below.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_equation.hpp"
+#include "lab/window/panel_equation.hpp"
 
 #include <algorithm>
 #include <cmath>

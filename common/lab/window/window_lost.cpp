@@ -1,6 +1,6 @@
 // Xlib's handler, where GLFW has loaded Xlib.
 // SPDX-License-Identifier: MIT
-#include "lab/window_lost.hpp"
+#include "lab/window/window_lost.hpp"
 
 #include <cstdio>
 #include <cstdlib>

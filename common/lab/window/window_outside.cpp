@@ -1,6 +1,6 @@
 // poll() on stdin, inotify and an eventfd.
 // SPDX-License-Identifier: MIT
-#include "lab/window_outside.hpp"
+#include "lab/window/window_outside.hpp"
 
 #include <algorithm>
 #include <cerrno>

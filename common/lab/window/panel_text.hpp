@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lab/panel_look.hpp"
+#include "lab/window/panel_look.hpp"
 
 #include <string>
 #include <string_view>

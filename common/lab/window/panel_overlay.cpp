@@ -1,6 +1,6 @@
 // Draws over the picture, everything with an outline so that it is seen on any picture.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_overlay.hpp"
+#include "lab/window/panel_overlay.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Lays the panel's boxes out: equation at the top, readings at the left, widgets at the right, rows and legend at the bottom.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_imgui.hpp"
+#include "lab/window/panel_imgui.hpp"
 
-#include "lab/panel_equation.hpp"
-#include "lab/panel_notes.hpp"
-#include "lab/panel_widgets.hpp"
+#include "lab/window/panel_equation.hpp"
+#include "lab/window/panel_notes.hpp"
+#include "lab/window/panel_widgets.hpp"
 
 #include <GLES3/gl3.h>
 #include <GLFW/glfw3.h>
@@ -160,13 +160,23 @@ void PanelDrawer::column(Brush& brush, float top, float width) {
 ImVec2 PanelDrawer::readings(float top, float right, float most) {
     const float gap = look_.gap(), room = right - gap;
     const float inside = room - 2 * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize;
-    return box("readings", {gap, top}, {0, 0}, {room, most}, [&] {
-        if (!panel_.message.empty())
-            flow(look_, panel_.message, inside);
+    const bool numbers = !panel_.probe.empty() || !panel_.curves.empty();
+    const bool apart = numbers && panel_.probeAtRight && panel_.groups.empty() && !panel_.legend;
+    const auto drawNumbers = [&] {
         if (!panel_.probe.empty())
             drawTable(look_, panel_.probe, inside);
         if (!panel_.curves.empty())
             drawCurves(look_, panel_.curves, inside);
+    };
+    if (apart)
+        box("numbers", {right, top}, {1, 0}, {room, most}, drawNumbers);
+    if (apart && panel_.message.empty())
+        return {0, 0};
+    return box("readings", {gap, top}, {0, 0}, {room, most}, [&] {
+        if (!panel_.message.empty())
+            flow(look_, panel_.message, inside);
+        if (!apart)
+            drawNumbers();
     });
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lab/panel_imgui.hpp"
+#include "lab/window/panel_imgui.hpp"
 
 #include <functional>
 

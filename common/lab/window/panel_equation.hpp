@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lab/panel_text.hpp"
+#include "lab/window/panel_text.hpp"
 
 namespace lab {
 

@@ -1,6 +1,6 @@
 // Fonts baked from DejaVu Sans, two themes with colours that colour-blind people tell apart (after Okabe and Ito).
 // SPDX-License-Identifier: MIT
-#include "lab/panel_look.hpp"
+#include "lab/window/panel_look.hpp"
 
 #include <GLES3/gl3.h>
 #include <algorithm>

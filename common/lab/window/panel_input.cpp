@@ -1,6 +1,6 @@
 // What PanelDrawer does with mouse and keys: each step is told to Dear ImGui by itself and worked off at once.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_imgui.hpp"
+#include "lab/window/panel_imgui.hpp"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

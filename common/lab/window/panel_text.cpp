@@ -1,6 +1,6 @@
 // Cuts text into runs on, below and above the line, and words into lines.
 // SPDX-License-Identifier: MIT
-#include "lab/panel_text.hpp"
+#include "lab/window/panel_text.hpp"
 
 #include <algorithm>
 #include <cfloat>
