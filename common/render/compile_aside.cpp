@@ -206,7 +206,7 @@ void CompileAside::run() {
             lock.unlock();
             Done done = work(task, canvas ? &*canvas : nullptr);
             lock.lock();
-            if (atHandUrgency_ == Urgency::wanted && !done.failed)
+            if (atHandUrgency_ != Urgency::ahead && !done.failed)
                 changed_.wait_for(lock, untilCached, [this] { return leave_ || !queues_[0].empty(); });
             const std::function<void()> tell = keep(std::move(done)) ? onWanted_ : nullptr;
             changed_.notify_all();
