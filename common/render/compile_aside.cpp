@@ -6,6 +6,7 @@
 #include "render/render_target.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -14,6 +15,10 @@ namespace render {
 namespace {
 
 constexpr std::size_t mostAhead = 64;  // that wait; more would be compiled long after anybody wants them
+
+// Mesa writes its shader cache on a thread that has the lowest priority, and tells nobody when it has. A picture that waits had rather
+// wait for that than for compiling the same once more on the thread that draws.
+constexpr std::chrono::milliseconds untilCached{25};
 
 }  // namespace
 
@@ -201,6 +206,8 @@ void CompileAside::run() {
             lock.unlock();
             Done done = work(task, canvas ? &*canvas : nullptr);
             lock.lock();
+            if (atHandUrgency_ != Urgency::ahead && !done.failed)
+                changed_.wait_for(lock, untilCached, [this] { return leave_ || !queues_[0].empty(); });
             const std::function<void()> tell = keep(std::move(done)) ? onWanted_ : nullptr;
             changed_.notify_all();
             if (tell) {

@@ -34,6 +34,8 @@ class GlRenderer final : public Renderer {
     FrameStats stats() const override { return stats_; }
     std::string name() const override;
 
+    /// Waits until the driver has drawn what it was told to.
+    void finishDrawing() const { glFinish(); }
     /// Waits until every program that is being compiled aside is ready.
     void finishCompiling() { programs_.finish(); }
 

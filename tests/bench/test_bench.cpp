@@ -60,7 +60,12 @@ TEST(Bench, Scaling) {
 
 TEST(Bench, Toggle) {
     const auto values = smoke({"bench_switching", "toggle"}, "toggle");
-    EXPECT_GE(values.at("first visit, cold, worst"), values.at("first visit, cold, median"));
+    for (const char* group :
+         {"toggle, prepared", "toggle, not prepared", "toggle back", "drag", "add a light"})
+        for (const char* cache : {"cold", "warm", "no cache"}) {
+            const std::string name = std::string(group) + ", CPU, " + cache;
+            EXPECT_GE(values.at(name + ", worst"), values.at(name + ", median")) << name;
+        }
 }
 
 TEST(Bench, Reference) { EXPECT_GT(smoke({"bench_reference"}, "reference").at("reference to bare loop"), 0); }

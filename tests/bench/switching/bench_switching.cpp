@@ -1,9 +1,10 @@
-// What a switch costs: the first frame after a symbol is toggled, and the first frame of shaders never seen before.
+// What a change costs: in a window, where a symbol is toggled or a light dragged, and the first frame of shaders never seen before.
 // SPDX-License-Identifier: MIT
 //
 //   bench_switching toggle|compile DIR [--quick | --smoke]      writes DIR/<part>.json, .csv
 //
-// Each is measured in a process of its own without Mesa's shader cache (cold), and in one that finds everything in it (warm).
+// Each is measured in a process of its own without Mesa's shader cache, and in one that finds everything in it (warm). Cold is, for
+// compile, the one without; for toggle, whose thread hands over through the cache, one with a cache that is empty.
 #include "bench/report.hpp"
 #include "bench/switching/measure.hpp"
 
@@ -55,24 +56,46 @@ std::vector<Row> rowsOf(const std::string& cache, const std::string& text) {
     return rows;
 }
 
-std::vector<Row> coldAndWarm(const std::string& part, const bench::Options& options) {
+// Three processes: without a shader cache, with one that is empty, and with all in it. Without one is "cold" unless `emptyIsCold`.
+std::vector<Row> coldAndWarm(const std::string& part, const bench::Options& options, bool emptyIsCold) {
     const std::string child = "'" + fs::read_symlink("/proc/self/exe").string() + "' --child " + part +
                               (options.smoke   ? " --smoke"
                                : options.quick ? " --quick"
                                                : "");
     const CacheFolder cache;
+    std::vector<Row> rows;
+    const auto append = [&rows](const std::vector<Row>& more) {
+        rows.insert(rows.end(), more.begin(), more.end());
+    };
     bench::progress(1, 3, part + ": without Mesa's cache");
-    std::vector<Row> rows = rowsOf("cold", bench::outputOf("MESA_SHADER_CACHE_DISABLE=true " + child));
+    append(rowsOf(emptyIsCold ? "no cache" : "cold",
+                  bench::outputOf("MESA_SHADER_CACHE_DISABLE=true " + child)));
     bench::progress(2, 3, part + ": filling the cache");
-    bench::outputOf(cache.environment() + " " + child);
+    const std::string filling = bench::outputOf(cache.environment() + " " + child);
+    if (emptyIsCold)
+        append(rowsOf("cold", filling));
     bench::progress(3, 3, part + ": from the cache");
-    const std::vector<Row> warm = rowsOf("warm", bench::outputOf(cache.environment() + " " + child));
-    rows.insert(rows.end(), warm.begin(), warm.end());
+    append(rowsOf("warm", bench::outputOf(cache.environment() + " " + child)));
     return rows;
 }
 
+// What nobody is to notice; the drawing thread's own time, because the machine may be busy.
+constexpr double mostOfAThread = 50;
+
+void addGroup(bench::Report& out, const std::string& group, const std::vector<double>& ms) {
+    const double worst = *std::max_element(ms.begin(), ms.end());
+    out.add(group + ", median", bench::median(ms), "ms");
+    if (group.find("CPU") != std::string::npos && !group.ends_with("no cache"))
+        out.add(group + ", worst", worst, "ms", bench::Goal::atMost, mostOfAThread);
+    else
+        out.add(group + ", worst", worst, "ms");
+}
+
 void report(const std::string& part, const bench::Options& options) {
-    const std::vector<Row> rows = coldAndWarm(part, options);
+    std::vector<Row> rows = coldAndWarm(part, options, part == "toggle");
+    if (part == "toggle")  // with a cache of its own, which nothing else has filled
+        for (Row& row : coldAndWarm("prepared", options, true))
+            rows.push_back(std::move(row));
     std::string driver = "unknown", csv = "cache,group,name,ms\n";
     std::map<std::string, std::vector<double>> groups;
     for (const Row& row : rows)
@@ -84,10 +107,8 @@ void report(const std::string& part, const bench::Options& options) {
         }
     bench::Report out(part, driver);
     if (part == "toggle")
-        for (const auto& [group, ms] : groups) {
-            out.add(group + ", median", bench::median(ms), "ms");
-            out.add(group + ", worst", *std::max_element(ms.begin(), ms.end()), "ms");
-        }
+        for (const auto& [group, ms] : groups)
+            addGroup(out, group, ms);
     else
         for (const Row& row : rows)
             if (row.group != "driver")

@@ -4,6 +4,7 @@
 
 #include "bench/report.hpp"
 #include "bench/scenes.hpp"
+#include "bench/switching/window.hpp"
 #include "render/context.hpp"
 
 #include <algorithm>
@@ -48,34 +49,6 @@ struct FullStage : Stage {
     THREE::TorusKnotGeometry knot{0.9, 0.34, 400, 64};
     THREE::MeshPhongMaterial material{THREE::Color(0xFF8855)};
 };
-
-// From all symbols on: each one off, from there each other one off, and back. As in a window, where programs that can wait are
-// compiled aside; between two toggles there is time for that.
-void toggle(const std::string& amount) {
-    FullStage stage;
-    Ours ours(stage, size, size, render::Compile::aside);
-    ours.settle();
-    ours.renderer.finishCompiling();
-    const auto& terms = lighting::terms();
-    const auto to = [&ours](const char* group, const std::string& name, lighting::TermSet set) {
-        ours.settings.terms = set;
-        print(group, name, firstBeyondSteady(ours));
-        ours.renderer.finishCompiling();
-    };
-    const std::size_t firsts = amount == "--smoke" ? 1 : terms.size(), seconds = amount.empty() ? terms.size()
-                                                                                 : firsts == 1  ? 2
-                                                                                                : 3;
-    for (std::size_t i = 0; i < firsts; ++i) {
-        const std::string name = terms[i].name;
-        const lighting::TermSet one = lighting::TermSet::all().without(terms[i].term);
-        to("first visit", name + " off", one);
-        for (std::size_t j = i + 1; j < std::min(i + 1 + seconds, terms.size()); ++j) {
-            to("first visit", name + " off then " + terms[j].name + " off", one.without(terms[j].term));
-            to("back", std::string(terms[j].name) + " on, " + name + " off", one);
-        }
-        to("back", name + " on", lighting::TermSet::all());
-    }
-}
 
 // The first frame of more and more lights, which all have shaders of their own.
 void compile(const std::string& amount) {
@@ -134,8 +107,8 @@ int switchingChild(const std::string& part, const std::string& amount) {
             Ours ours(stage, 8, 8);
             print("driver", ours.renderer.name(), 0);
         }
-        if (part == "toggle") {
-            toggle(amount);
+        if (part == "toggle" || part == "prepared") {
+            changes(amount, part == "prepared");
         } else {
             compile(amount);
             lessons(amount);

@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// Measures `part`, "toggle" or "compile", and prints lines `group<TAB>name<TAB>milliseconds`, the first with the group "driver"
+/// Measures `part`, "toggle", "prepared" or "compile", and prints lines `group<TAB>name<TAB>milliseconds`, the first with the group "driver"
 /// and the driver's name. `size` is "", "--quick" or "--smoke". Answers the exit status.
 int switchingChild(const std::string& part, const std::string& size);
 
