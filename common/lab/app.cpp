@@ -6,11 +6,10 @@
 #include "lab/frame_batch.hpp"
 #include "lab/live/live.hpp"
 #include "lab/live/state_file.hpp"
+#include "lab/scene_files.hpp"
 #include "lab/stills.hpp"
 #include "lab/view.hpp"
 #include "lab/window.hpp"
-#include "three/object_loader.hpp"
-#include "three/validate.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -32,12 +31,9 @@ void reachEverything(THREE::PerspectiveCamera& camera, const THREE::Sphere& boun
 }
 
 void openFile(const Options& options, THREE::LoadedScene& loaded) {
-    loaded = THREE::ObjectLoader().load(options.sceneFile);
+    loaded = loadScene(options.sceneFile);
     for (const std::string& note : loaded.notes)
         std::cerr << options.lesson << ": " << note << '\n';
-    loaded.scene->updateMatrixWorld();
-    // Before its size is measured; a camera that sees as far as anything may be.
-    THREE::validate(*loaded.scene, THREE::PerspectiveCamera(50, 1, 1e30, 1e36));
 }
 
 // The camera of a scene file, or one that brings all of it into view. It is none of the file's own objects, and stands in
@@ -111,7 +107,8 @@ App::App(int argc, char** argv, const std::string& lesson)
 
 int App::present(const WithView& withView) {
     Handover* const first = std::exchange(lambertHandover, nullptr);
-    if (first != nullptr && first->guest) {  // another lesson shows this one's scene; what is thrown is that one's affair
+    if (first != nullptr &&
+        first->guest) {  // another lesson shows this one's scene; what is thrown is that one's affair
         withView(options_, first->guest);
         return done;
     }

@@ -78,8 +78,7 @@ struct Adder {
 void addNumbers(CLI::App& app, Options& options) {
     const Adder add{app};
     add("--size", "LxA: 512x512 per un'immagine, 960x600 per una finestra",
-        "WxH: 512x512 for a frame, 960x600 for a window",
-        [&options](const std::string& value) {
+        "WxH: 512x512 for a frame, 960x600 for a window", [&options](const std::string& value) {
             const auto [width, height] = checked("--size", [&] { return readSize(value); });
             options.width = width;
             options.height = height;
@@ -178,10 +177,12 @@ void addChoices(CLI::App& app, Options& options) {
             }
         });
     add("--presenter", "[N]: caratteri grandi per il proiettore, N da 16 a 48 (28)",
-        "[N]: large type for a projector, N from 16 to 48 (28)", [&options](const std::string& value) {
+        "[N]: large type for a projector, N from 16 to 48 (28)",
+        [&options](const std::string& value) {
             options.fontSize =
                 value.empty() ? 28 : checked("--presenter", [&] { return readNumber(value, 16, 48); });
-        })->expected(0, 1);
+        })
+        ->expected(0, 1);
     add("--theme", "dark o light: il tema chiaro, per proiettori deboli",
         "dark or light: the light theme is for weak projectors",
         [&options](const std::string& value) { options.lightTheme = value == "light"; })
@@ -236,7 +237,8 @@ std::pair<int, int> readSize(std::string_view text) {
     const std::optional<int> width = number<int>(text.substr(0, x));
     const std::optional<int> height = x == std::string::npos ? std::nullopt : number<int>(text.substr(x + 1));
     if (!width || !height || *width < 1 || *height < 1 || *width > largestSize || *height > largestSize)
-        throw UsageError("expected WIDTHxHEIGHT, each from 1 to 8192 pixels, found '" + std::string(text) + "'");
+        throw UsageError("expected WIDTHxHEIGHT, each from 1 to 8192 pixels, found '" + std::string(text) +
+                         "'");
     return {*width, *height};
 }
 

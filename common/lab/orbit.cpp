@@ -10,8 +10,7 @@ namespace lab {
 
 using THREE::Vector3;
 
-Orbit::Orbit(THREE::PerspectiveCamera& camera, const Vector3& target)
-    : camera_(camera), target_(target) {}
+Orbit::Orbit(THREE::PerspectiveCamera& camera, const Vector3& target) : camera_(camera), target_(target) {}
 
 double Orbit::distance() const { return std::max(Vector3(camera_.position).sub(target_).length(), 1e-30); }
 
@@ -39,9 +38,9 @@ void Orbit::rotate(double dx, double dy) {
     const double polar = std::acos(std::clamp(offset.dot(pole) / radius, -1.0, 1.0)) - dy * std::numbers::pi;
     const double kept = std::clamp(polar, 1e-4, std::numbers::pi - 1e-4);
     placeAt(Vector3(side)
-              .multiplyScalar(radius * std::sin(kept) * std::sin(azimuth))
-              .add(Vector3(pole).multiplyScalar(radius * std::cos(kept)))
-              .add(Vector3(front).multiplyScalar(radius * std::sin(kept) * std::cos(azimuth))));
+                .multiplyScalar(radius * std::sin(kept) * std::sin(azimuth))
+                .add(Vector3(pole).multiplyScalar(radius * std::cos(kept)))
+                .add(Vector3(front).multiplyScalar(radius * std::sin(kept) * std::cos(azimuth))));
 }
 
 void Orbit::zoom(double steps) {
@@ -51,8 +50,8 @@ void Orbit::zoom(double steps) {
     const double nearest = std::min(now, camera_.near * 1.01);
     const double farthest = std::max(now, camera_.far * 0.5);
     placeAt(Vector3(camera_.position)
-              .sub(target_)
-              .multiplyScalar(std::clamp(now * factor, nearest, farthest) / now));
+                .sub(target_)
+                .multiplyScalar(std::clamp(now * factor, nearest, farthest) / now));
 }
 
 void Orbit::pan(double dx, double dy) {

@@ -36,7 +36,8 @@ struct Widget {
     WidgetKind kind = WidgetKind::toggle;
     std::string command;  ///< "term ambient", "light 2 color"
     std::string label;
-    std::string value;  ///< toggle: "on" or "off"; choice: its name; action: unused; others: as the command line would have it
+    std::string
+        value;  ///< toggle: "on" or "off"; choice: its name; action: unused; others: as the command line would have it
     std::array<double, 3> numbers{};  ///< number: the first; color: R, G, B (1 is full); vector: x, y, z
     double min = 0, max = 1;  ///< number: its range; vector: unused
     double step = 0.01;  ///< number, vector: what a small move changes
@@ -125,7 +126,8 @@ struct Panel {
     std::vector<Line> message;  ///< below the equation; may be empty
     std::vector<Line> probe;  ///< below the message; spans of a line are aligned in columns; may be empty
     std::vector<PanelCurve> curves;  ///< beside the probe
-    bool probeAtRight = false;  ///< probe and curves stand at the right edge, so that the point is seen; where there are no groups
+    bool probeAtRight =
+        false;  ///< the probe stands at the right edge, so that the point is seen; where there are no groups
     std::vector<WidgetGroup> groups;  ///< at the right; empty: hidden
     std::vector<Line> rows;  ///< in the lower left corner: readings, keys, what was left out; may be empty
     std::optional<PanelLegend> legend;

@@ -109,7 +109,8 @@ void tellStats(View& view, const Options& options, Renderers& renderers, const r
 }
 
 // The picture of a session, and everything else that the options ask for.
-void drawSession(Session& session, View* before, const Options& options, Renderers& renderers, Phases& phases) {
+void drawSession(Session& session, View* before, const Options& options, Renderers& renderers,
+                 Phases& phases) {
     View& view = session.view();
     const render::FrameRequest request{options.width.value_or(512), options.height.value_or(512),
                                        wantsFloats(options.frame)};

@@ -116,10 +116,13 @@ std::string View::cameraText() {
 
 bool View::cameraMoved() {
     jitter_.undo();
-    const auto same = [](const Vector3& a, const Vector3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    const auto same = [](const Vector3& a, const Vector3& b) {
+        return a.x == b.x && a.y == b.y && a.z == b.z;
+    };
     const THREE::Quaternion &now = camera_.quaternion, &start = start_.quaternion;
     return !same(camera_.position, start_.position) || !same(orbit_.target(), ownTarget_) ||
-           camera_.fov != start_.fov || now.x != start.x || now.y != start.y || now.z != start.z || now.w != start.w;
+           camera_.fov != start_.fov || now.x != start.x || now.y != start.y || now.z != start.z ||
+           now.w != start.w;
 }
 
 void View::resetCamera() {

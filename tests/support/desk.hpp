@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lab/live/commands.hpp"
-#include "lab/live/values.hpp"
 #include "lab/live/probe_text.hpp"
+#include "lab/live/values.hpp"
 #include "three/three.hpp"
 
 #include <string>

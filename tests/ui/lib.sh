@@ -27,9 +27,12 @@ start_display() { # start_display SCREEN: sets xvfb, DISPLAY
     Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp >xvfb.log 2>&1 3>display &
     xvfb=$!
     local _
-    for _ in $(seq 100); do grep -q '[0-9]$' display && sleep 0.2 && break; sleep 0.1; done
-    DISPLAY=:$(cat display)
-    export DISPLAY
+    for _ in $(seq 100); do
+        DISPLAY=:$(cat display)
+        export DISPLAY
+        [ "$DISPLAY" != : ] && xdotool getmouselocation >/dev/null 2>&1 && break
+        sleep 0.1
+    done
     unset WAYLAND_DISPLAY
 }
 lesson=
@@ -148,6 +151,13 @@ remember() { # remember NAME: what is seen now is the start
     sleep 0.5
     picture "$1"
     start=$seen
+}
+
+# alike A B: whether two pictures are the same where the panel does not reach.
+alike() {
+    convert "$1" -crop $area +repage alike_1.ppm
+    convert "$2" -crop $area +repage alike_2.ppm
+    cmp -s alike_1.ppm alike_2.ppm
 }
 
 # Processor time that the program has used, hundredths of a second.

@@ -30,15 +30,57 @@ TEST(Commands, EveryWrongLineIsAnsweredWithWhatWasExpected) {
     Desk desk;
     desk.begin();
     const lab::State before = desk.session->state();
-    for (const char* line :
-         {"term ambient maybe", "term ambient on off", "term", "nonsense", "light 9 color red", "light 2 color nocolour",
-          "light 2 color 0xGG0000", "light 2 color 1,2", "light 2 color -1,0,0", "light 2 intensity -1", "light 2 position 1,2",
-          "light 2 position nan,0,0", "light 2 position 1e37,0,0", "light 1 direction 0,0,0", "light 1 position 1,2,3",
-          "light add lamp", "light 1 remove", "light 0 remove", "camera 1,2,3", "camera 1,2,3,1,2,3", "camera 0,0,5,0,0,0,180",
-          "slider strength 6", "slider sideways", "view sideways", "only light 4", "split maybe", "undo", "redo",
-          "load", "load /nowhere.json", "shot a b c", "shot a.png 0x5", "probe 2 0", "probe 1", "choose 4", "lesson nonsense",
-          "next more", "font size 49", "font size nan", "time inf", "jitter -1", "decay -1", "pin 0 0 0", "'unfinished",
-          "divider 1.5", "last term nothing", "shading sideways", "terms", "terms -nothing", "quit now", "material 7 color red"}) {
+    for (const char* line : {"term ambient maybe",
+                             "term ambient on off",
+                             "term",
+                             "nonsense",
+                             "light 9 color red",
+                             "light 2 color nocolour",
+                             "light 2 color 0xGG0000",
+                             "light 2 color 1,2",
+                             "light 2 color -1,0,0",
+                             "light 2 intensity -1",
+                             "light 2 position 1,2",
+                             "light 2 position nan,0,0",
+                             "light 2 position 1e37,0,0",
+                             "light 1 direction 0,0,0",
+                             "light 1 position 1,2,3",
+                             "light add lamp",
+                             "light 1 remove",
+                             "light 0 remove",
+                             "camera 1,2,3",
+                             "camera 1,2,3,1,2,3",
+                             "camera 0,0,5,0,0,0,180",
+                             "slider strength 6",
+                             "slider sideways",
+                             "view sideways",
+                             "only light 4",
+                             "split maybe",
+                             "undo",
+                             "redo",
+                             "load",
+                             "load /nowhere.json",
+                             "shot a b c",
+                             "shot a.png 0x5",
+                             "probe 2 0",
+                             "probe 1",
+                             "choose 4",
+                             "lesson nonsense",
+                             "next more",
+                             "font size 49",
+                             "font size nan",
+                             "time inf",
+                             "jitter -1",
+                             "decay -1",
+                             "pin 0 0 0",
+                             "'unfinished",
+                             "divider 1.5",
+                             "last term nothing",
+                             "shading sideways",
+                             "terms",
+                             "terms -nothing",
+                             "quit now",
+                             "material 7 color red"}) {
         const std::string answer = desk.say(line);
         EXPECT_EQ(answer.substr(0, 6), "error ") << line << " -> " << answer;
         EXPECT_EQ(answer.find('\n'), std::string::npos);
@@ -97,8 +139,10 @@ TEST(Commands, LightsCanBeAddedAndTakenOut) {
 TEST(Commands, UndoAndRedoGoThroughAllThatWasMoved) {
     Desk desk;
     desk.begin();
-    const std::vector<std::string> lines = {"term ambient off",       "light 2 color 0x112233", "view normals", "camera 1,2,3,0,0,0,40",
-                                            "slider strength 2.5",    "light add ambient",      "shading flat", "split term",
+    const std::vector<std::string> lines = {"term ambient off",       "light 2 color 0x112233",
+                                            "view normals",           "camera 1,2,3,0,0,0,40",
+                                            "slider strength 2.5",    "light add ambient",
+                                            "shading flat",           "split term",
                                             "material 1 color 0x10,", "decay 1.5"};
     std::vector<lab::State> states{desk.session->state()};
     for (const std::string& line : lines)
@@ -155,14 +199,16 @@ TEST(Commands, AskTheHostForTheRest) {
     EXPECT_EQ(desk.say("shot x.png"), "ok shot x.png");
     EXPECT_EQ(desk.say("shot 'two words.png' 64x48"), "ok shot two words.png");
     EXPECT_EQ(desk.say("lesson 3"), "ok lesson lesson_03_point_light");
-    EXPECT_EQ(desk.say("next"), "ok lesson lesson_00_scene") << "a program that is none of the lessons stands before the first";
+    EXPECT_EQ(desk.say("next"), "ok lesson lesson_00_scene")
+        << "a program that is none of the lessons stands before the first";
     EXPECT_EQ(desk.say("previous").substr(0, 5), "error");
     EXPECT_EQ(desk.say("open a.json"), "ok open a.json");
     EXPECT_EQ(desk.say("cost"), "ok cost 1 ms");
     EXPECT_EQ(desk.say("places"), "ok places symbol term ambient 1 2;widget term ambient 3 4;");
     EXPECT_EQ(desk.say("quit"), "ok quit");
-    const std::vector<std::string> expected{"shot x.png 0x0",     "shot two words.png 64x48", "go lesson_03_point_light",
-                                            "go lesson_00_scene", "go scene_viewer a.json",   "leave"};
+    const std::vector<std::string> expected{"shot x.png 0x0",           "shot two words.png 64x48",
+                                            "go lesson_03_point_light", "go lesson_00_scene",
+                                            "go scene_viewer a.json",   "leave"};
     EXPECT_EQ(desk.host.asked, expected);
 }
 
@@ -178,7 +224,8 @@ TEST(Commands, TheTableIsComplete) {
         EXPECT_NE(control.help.en, nullptr) << control.name;
         EXPECT_FALSE(control.moved()) << control.name;
         const std::string value = control.get();
-        EXPECT_EQ(desk.say(control.name + " " + value), "ok " + control.name + " " + value) << "what it is can be said";
+        EXPECT_EQ(desk.say(control.name + " " + value), "ok " + control.name + " " + value)
+            << "what it is can be said";
         for (const lab::ControlChoice& choice : control.choices)
             EXPECT_EQ(desk.say(control.name + " " + choice.name), "ok " + control.name + " " + choice.name);
         desk.say(control.name + " reset");
@@ -201,11 +248,13 @@ TEST(Commands, EveryKeySaysACommandThatIsUnderstood) {
         if (std::string(key.command) == "redo")
             desk.say("undo");
         const std::string answer = desk.say(key.command);
-        const std::set<std::string> refused{"previous", "shot", "save"};  // before the first lesson; where nothing may be written
+        const std::set<std::string> refused{"previous", "shot",
+                                            "save"};  // before the first lesson; where nothing may be written
         if (!refused.contains(key.command)) {
             EXPECT_NE(answer.substr(0, 5), "error") << key.name << ": " << key.command << " -> " << answer;
         }
-        lab::Event event{.kind = lab::Event::Kind::key, .key = key.code, .modified = key.shift, .control = key.control};
+        lab::Event event{
+            .kind = lab::Event::Kind::key, .key = key.code, .modified = key.shift, .control = key.control};
         EXPECT_EQ(lab::commandOf(event), key.command) << key.name << " means two things";
     }
 }

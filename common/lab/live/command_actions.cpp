@@ -16,7 +16,8 @@ namespace lab {
 
 std::string Commands::withTerms(Words words) {
     try {
-        session_.switches.terms = lighting::parseTerms(expectOne(words, "all, none, names, or changes"), session_.switches.terms);
+        session_.switches.terms =
+            lighting::parseTerms(expectOne(words, "all, none, names, or changes"), session_.switches.terms);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -27,7 +28,8 @@ std::string Commands::withLight(Words words) {
     if (words.size() == 2 && words[0] == "add")
         return "ok light " + std::to_string(session_.addLight(words[1]));
     if (words.size() == 2 && words[1] == "remove") {
-        const int which = words[0] == "chosen" ? session_.chosenLight : static_cast<int>(readNumber(words[0], 1, 4096));
+        const int which =
+            words[0] == "chosen" ? session_.chosenLight : static_cast<int>(readNumber(words[0], 1, 4096));
         session_.removeLight(which);
         return "ok light " + std::to_string(which) + " removed";
     }
@@ -38,7 +40,8 @@ std::string Commands::withLight(Words words) {
         if (const std::optional<std::string> answer = control(named))
             return *answer;
     }
-    throw UsageError("expected add KIND, N remove, or a light's number and what to set; found '" + joined(words) + "'");
+    throw UsageError("expected add KIND, N remove, or a light's number and what to set; found '" +
+                     joined(words) + "'");
 }
 
 std::string Commands::withSlider(Words words) {
@@ -62,15 +65,17 @@ std::string Commands::choose(Words words) {
         throw UsageError("this scene has no lights");
     const std::string& which = expectOne(words, "a light's number, next or previous");
     const int step = which == "next" ? 1 : which == "previous" ? -1 : 0;
-    session_.chosenLight =
-        step == 0 ? static_cast<int>(readNumber(which, 1, count)) : (session_.chosenLight - 1 + step + count) % count + 1;
+    session_.chosenLight = step == 0 ? static_cast<int>(readNumber(which, 1, count))
+                                     : (session_.chosenLight - 1 + step + count) % count + 1;
     return "ok chosen light " + std::to_string(session_.chosenLight);
 }
 
 std::string Commands::only(Words words) {
     const std::string& which = expectOne(words, "chosen, all, or a light's number");
     const int count = static_cast<int>(session_.lights().size());
-    const int wanted = which == "all" ? 0 : which == "chosen" ? session_.chosenLight : static_cast<int>(readNumber(which, 1, count));
+    const int wanted = which == "all"      ? 0
+                       : which == "chosen" ? session_.chosenLight
+                                           : static_cast<int>(readNumber(which, 1, count));
     if (wanted > count)
         throw UsageError("this scene has no lights");
     session_.only = which == "chosen" && session_.only == wanted ? 0 : wanted;
@@ -94,7 +99,8 @@ std::string Commands::shot(Words words) {
 }
 
 std::string Commands::save(Words words) {
-    const std::string name = words.empty() ? freeName(program_ + "-state", {".json"}) + ".json" : expectOne(words, "a file name");
+    const std::string name =
+        words.empty() ? freeName(program_ + "-state", {".json"}) + ".json" : expectOne(words, "a file name");
     image::writeText(name, stateText(host_.savedState(), false));
     return "ok save " + name;
 }
@@ -140,7 +146,8 @@ std::optional<PanelPoint> pointOf(std::span<const std::string> words) {
     if (words.empty())
         return std::nullopt;
     if (words.size() != 2)
-        throw UsageError("expected X and Y, from 0 (left, top) to 1 (right, bottom), found '" + joined(words) + "'");
+        throw UsageError("expected X and Y, from 0 (left, top) to 1 (right, bottom), found '" +
+                         joined(words) + "'");
     return PanelPoint{readNumber(words[0], 0, 1), readNumber(words[1], 0, 1)};
 }
 
@@ -216,8 +223,8 @@ std::string Commands::help(Words words) {
     expectNothing(words);
     std::string all;
     for (const Action& action : actions())
-        all += (all.empty() ? "" : "; ") + std::string(action.name) + (*action.usage != '\0' ? " " : "") + action.usage + ": " +
-               session_.say(action.help);
+        all += (all.empty() ? "" : "; ") + std::string(action.name) + (*action.usage != '\0' ? " " : "") +
+               action.usage + ": " + session_.say(action.help);
     return "ok help CONTROL [VALUE | toggle | next | previous | up | down | reset]; " + all;
 }
 

@@ -12,19 +12,36 @@ namespace lab {
 
 std::span<const Commands::Action> Commands::actions() {
     static const Action table[] = {
-        {"terms", "all | none | NAMES | +NAME,-NAME", {"tutti i termini insieme", "all terms at once"}, &Commands::withTerms},
-        {"light", "add KIND | N remove | chosen ...", {"aggiunge o toglie una luce", "adds or removes a light"}, &Commands::withLight},
-        {"slider", "next | previous | up | down [STEPS]", {"il cursore scelto", "the chosen slider"}, &Commands::withSlider},
+        {"terms",
+         "all | none | NAMES | +NAME,-NAME",
+         {"tutti i termini insieme", "all terms at once"},
+         &Commands::withTerms},
+        {"light",
+         "add KIND | N remove | chosen ...",
+         {"aggiunge o toglie una luce", "adds or removes a light"},
+         &Commands::withLight},
+        {"slider",
+         "next | previous | up | down [STEPS]",
+         {"il cursore scelto", "the chosen slider"},
+         &Commands::withSlider},
         {"choose", "N | next | previous", {"sceglie una luce", "chooses a light"}, &Commands::choose},
         {"only", "chosen | all | N", {"una luce da sola", "one light alone"}, &Commands::only},
-        {"shot", "[FILE [WxH]]", {"scrive l'immagine; senza FILE, immagine e stato", "writes the picture; without FILE, picture and state"}, &Commands::shot},
+        {"shot",
+         "[FILE [WxH]]",
+         {"scrive l'immagine; senza FILE, immagine e stato",
+          "writes the picture; without FILE, picture and state"},
+         &Commands::shot},
         {"save", "[FILE]", {"salva lo stato", "saves the state"}, &Commands::save},
         {"load", "FILE", {"riprende uno stato salvato", "takes a saved state"}, &Commands::load},
         {"state", "", {"lo stato, JSON", "the state, JSON"}, &Commands::state},
         {"undo", "", {"annulla", "takes the last change back"}, &Commands::undo},
         {"redo", "", {"rifà", "makes it again"}, &Commands::redo},
         {"reset", "", {"come all'inizio", "as at the start"}, &Commands::reset},
-        {"probe", "X Y | (pinned)", {"tutti i numeri di un punto, 0 ... 1 da sinistra e dall'alto", "all numbers of a point, 0 ... 1 from the left and from the top"}, &Commands::probe},
+        {"probe",
+         "X Y | (pinned)",
+         {"tutti i numeri di un punto, 0 ... 1 da sinistra e dall'alto",
+          "all numbers of a point, 0 ... 1 from the left and from the top"},
+         &Commands::probe},
         {"pin", "[X Y]", {"fissa la sonda", "pins the probe"}, &Commands::pin},
         {"unpin", "", {"stacca la sonda", "unpins the probe"}, &Commands::unpin},
         {"next", "", {"la lezione dopo", "the lesson after"}, &Commands::next},
@@ -33,8 +50,14 @@ std::span<const Commands::Action> Commands::actions() {
         {"open", "FILE", {"una scena, come scene_viewer", "a scene, as scene_viewer"}, &Commands::open},
         {"cost", "", {"quanto costa una luce", "what a light costs"}, &Commands::cost},
         {"fullscreen", "", {"tutto lo schermo", "full screen"}, &Commands::fullscreen},
-        {"controls", "", {"la tabella dei comandi, JSON", "the table of controls, JSON"}, &Commands::controls},
-        {"places", "", {"dove sta ogni cosa del pannello, pixel", "where each thing of the panel is, pixels"}, &Commands::places},
+        {"controls",
+         "",
+         {"la tabella dei comandi, JSON", "the table of controls, JSON"},
+         &Commands::controls},
+        {"places",
+         "",
+         {"dove sta ogni cosa del pannello, pixel", "where each thing of the panel is, pixels"},
+         &Commands::places},
         {"help", "", {"quali comandi ci sono", "which commands there are"}, &Commands::help},
         {"quit", "", {"esce", "leaves"}, &Commands::quit},
     };
@@ -82,7 +105,8 @@ std::optional<std::string> Commands::control(Words words) {
         const std::string name = joined(words.first(count));
         const Words rest = words.subspan(count);
         Control* found = session_.table.find(name);
-        if (found == nullptr && rest.size() == 1 && (rest[0] == "on" || rest[0] == "off" || rest[0] == "toggle"))
+        if (found == nullptr && rest.size() == 1 &&
+            (rest[0] == "on" || rest[0] == "off" || rest[0] == "toggle"))
             found = session_.table.find(name + " on");
         if (found == nullptr)
             continue;

@@ -41,7 +41,8 @@ struct Said {
 /// Understands commands.
 class Commands {
   public:
-    Commands(Session& session, Host& host, const std::string& program) : session_(session), host_(host), program_(program) {}
+    Commands(Session& session, Host& host, const std::string& program)
+        : session_(session), host_(host), program_(program) {}
 
     /// Does what the line says and answers in one line that starts "ok", "error" or "probe". Never throws for a wrong line.
     /// An empty line, or one that starts with '#', has no answer.

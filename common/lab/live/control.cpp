@@ -64,7 +64,11 @@ Control& ControlTable::addToggle(const std::string& name, const std::string& gro
 Control& ControlTable::addChoice(const std::string& name, const std::string& group, lighting::Text help,
                                  std::vector<ControlChoice> choices, std::function<int()> get,
                                  std::function<void(int)> set, int own) {
-    Control control{.name = name, .kind = WidgetKind::choice, .group = group, .help = help, .choices = std::move(choices)};
+    Control control{.name = name,
+                    .kind = WidgetKind::choice,
+                    .group = group,
+                    .help = help,
+                    .choices = std::move(choices)};
     control.get = [choices = control.choices, get] { return choices[static_cast<std::size_t>(get())].name; };
     control.set = [choices = control.choices, set](const std::string& text) {
         set(static_cast<int>(indexOf(choices, text)));
@@ -76,7 +80,8 @@ Control& ControlTable::addChoice(const std::string& name, const std::string& gro
 
 Control& ControlTable::addNumber(const std::string& name, const std::string& group, lighting::Text help,
                                  double min, double max, double& value, double own) {
-    Control control{.name = name, .kind = WidgetKind::number, .group = group, .help = help, .min = min, .max = max};
+    Control control{
+        .name = name, .kind = WidgetKind::number, .group = group, .help = help, .min = min, .max = max};
     control.get = [&value] { return THREE::numberText(value); };
     control.set = [&value, min, max](const std::string& text) { value = readNumber(text, min, max); };
     control.moved = [&value, own] { return value != own; };
@@ -97,8 +102,8 @@ void ControlTable::set(Control& control, const std::string& value) {
             control.reset();
         else
             control.set(value == "toggle" || value == "next" ? control.next()
-                        : value == "previous"               ? control.next(-1)
-                                                            : value);
+                        : value == "previous"                ? control.next(-1)
+                                                             : value);
     } catch (const UsageError& error) {
         throw UsageError(name + ": " + error.what());
     }

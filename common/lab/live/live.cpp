@@ -2,23 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "lab/live/live.hpp"
 
+#include "lab/equation.hpp"
 #include "lab/failure.hpp"
 #include "lab/live/commands.hpp"
+#include "lab/live/gestures.hpp"
 #include "lab/live/keys.hpp"
-#include "lab/live/light_drag.hpp"
 #include "lab/live/panel_builder.hpp"
 #include "lab/live/probe_text.hpp"
 #include "lab/live/screen.hpp"
 #include "lab/live/values.hpp"
-#include "lab/equation.hpp"
-#include "three/object_loader.hpp"
-#include "three/validate.hpp"
+#include "lab/scene_files.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <deque>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -30,24 +28,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
-
-bool sameFile(const std::string& a, const std::string& b) {
-    std::error_code error;
-    return std::filesystem::equivalent(a, b, error) && !error;
-}
-
-// The folder of a file, as it can be watched.
-std::string folderOf(const std::string& file) {
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    return folder.empty() ? "." : folder.string();
-}
-
-// A scene that another program is to show, read once already: what is wrong with it is told here, and this picture stays.
-void checkScene(const std::string& file) {
-    const THREE::LoadedScene loaded = THREE::ObjectLoader().load(file);
-    loaded.scene->updateMatrixWorld();
-    THREE::validate(*loaded.scene, THREE::PerspectiveCamera(50, 1, 1e30, 1e36));
-}
 
 class Live final : public Host {
   public:
@@ -103,7 +83,7 @@ class Live final : public Host {
         }
     }
 
-    bool moving() const { return session_.playing || coasting_; }
+    bool moving() const { return session_.playing || gestures_.coasting(); }
 
     // Time goes on.
     void step() {
@@ -112,7 +92,7 @@ class Live final : public Host {
         last_ = now;
         if (session_.playing)
             session_.time += std::min(passed, 0.25);  // after a pause, time goes on from where it was
-        coasting_ = coasting_ && session_.view().orbit().coast(passed);
+        pictureChanged_ |= gestures_.coast(passed);
         const Screen::News news = screen_.news();
         pictureChanged_ |= moving() || news == Screen::News::picture;
         if (news == Screen::News::panel)
@@ -147,11 +127,12 @@ class Live final : public Host {
             return line(event.text);
         case Event::Kind::drag:
         case Event::Kind::pan:
-            return orbit(event);
-        case Event::Kind::release:
-            return release();
         case Event::Kind::wheel:
-            return moveCamera("wheel", [&] { session_.view().orbit().zoom(event.dy); });
+            pictureChanged_ = true;
+            return gestures_.moveCamera(event);
+        case Event::Kind::release:
+            last_ = Clock::now();
+            return gestures_.release();
         case Event::Kind::hover:
             mouse_ = PanelPoint{event.x, event.y};
             return;
@@ -159,7 +140,7 @@ class Live final : public Host {
             mouse_.reset();
             return;
         case Event::Kind::handle:
-            return dragHandle(event);
+            return say(gestures_.moveLight(event), {.byHand = true});
         case Event::Kind::divider:
             return say("divider " + numbersText({std::clamp(event.x, 0.0, 1.0)}), {.byHand = true});
         case Event::Kind::file:
@@ -174,12 +155,15 @@ class Live final : public Host {
         }
     }
 
-    // What a key or the panel says; the answer is told on the panel, and for those who cannot see it.
+    // What a key or the panel says; the answer is told on the panel, and on stdout for those who cannot see it, without the word that
+    // starts an answer to a line of stdin.
     void say(const std::string& command, Said said) {
         if (command.empty())
             return;
-        answer(commands_.run(command, said));
-        std::cout << facts_.message.text << std::endl;
+        const std::string answered = commands_.run(command, said);
+        answer(answered);
+        std::cout << (answered.starts_with("probe") ? answered : answered.substr(answered.find(' ') + 1))
+                  << std::endl;
         pictureChanged_ = true;
         if (command.starts_with("term"))
             std::cout << equationText(session_.switches.terms, facts_.drawn.shiny) << std::endl;
@@ -202,61 +186,6 @@ class Live final : public Host {
         if (facts_.message.text.size() > longest || text.starts_with("probe"))
             facts_.message.text.clear();
         facts_.chosenSlider = commands_.chosenSlider();
-    }
-
-    template <class Move>
-    void moveCamera(const std::string& gesture, const Move& move) {
-        const State before = session_.state();
-        move();
-        commands_.changed(before, gesture);
-        pictureChanged_ = true;
-    }
-
-    void orbit(const Event& event) {
-        const bool pans = event.kind == Event::Kind::pan;
-        const Clock::time_point now = Clock::now();
-        const double passed = std::max(seconds(now - lastDrag_), 1e-3);
-        lastDrag_ = now;
-        fling_ = Fling{event.dx / passed, event.dy / passed, pans};
-        coasting_ = false;
-        moveCamera("orbit", [&] {
-            Orbit& orbit = session_.view().orbit();
-            pans ? orbit.pan(event.dx, event.dy) : orbit.rotate(event.dx, event.dy);
-        });
-    }
-
-    void release() {
-        commands_.endGesture();
-        const bool orbited = !drag_ && fling_;
-        drag_.reset();
-        constexpr double stopped = 0.06;  // seconds without a move: held still, then let go
-        if (orbited && seconds(Clock::now() - lastDrag_) <= stopped) {
-            session_.view().orbit().fling(fling_->dx, fling_->dy, fling_->pans);
-            coasting_ = true;
-        }
-        fling_.reset();
-        last_ = Clock::now();
-    }
-
-    void dragHandle(const Event& event) {
-        const auto& lights = session_.lights();
-        const std::size_t number = std::strtoul(event.text.c_str() + event.text.find_first_of("0123456789 "), nullptr, 10);
-        if (number < 1 || number > lights.size())
-            return;
-        THREE::Light& light = *lights[number - 1];
-        const THREE::Vector3 before = light.position;
-        if (!drag_ || dragged_ != &light)
-            drag_.emplace(light, session_.view().camera(), std::as_const(session_).view().orbit().target());
-        dragged_ = &light;
-        session_.chosenLight = static_cast<int>(number);
-        if (!drag_->to({event.x, event.y}))
-            return;
-        const std::string place = vectorText(light.position);
-        light.position = before;  // the command moves it, so that it can be undone and saved
-        const char* const field =
-            dynamic_cast<THREE::DirectionalLight*>(&light) != nullptr ? " direction " : " position ";
-        say("light " + std::to_string(number) + field + place, {.byHand = true});
-        session_.updateNow();
     }
 
     void fileChanged(const std::string& file) {
@@ -289,7 +218,8 @@ class Live final : public Host {
             draw();
         const std::optional<ProbeReport> report = look(at);
         if (!report)
-            throw UsageError(at ? "expected a point of the picture" : "no point is pinned; expected X Y, or pin X Y before");
+            throw UsageError(at ? "expected a point of the picture"
+                                : "no point is pinned; expected X Y, or pin X Y before");
         return probeText(*report, session_.language);
     }
     void pin(const std::optional<PanelPoint>& at) override {
@@ -298,8 +228,9 @@ class Live final : public Host {
         const std::optional<PanelPoint> where = at ? at : mouse_;
         const std::optional<ProbeReport> report = where ? look(where) : std::nullopt;
         if (!report || !report->point)
-            throw UsageError("expected a point of a surface, found " +
-                             std::string(report ? "the background" : "none; move the mouse there, or say where"));
+            throw UsageError(
+                "expected a point of a surface, found " +
+                std::string(report ? "the background" : "none; move the mouse there, or say where"));
         session_.pin = report->point;
     }
     std::string lightCost() override { return screen_.lightCost(session_); }
@@ -310,7 +241,7 @@ class Live final : public Host {
     void fullscreen() override { window_.toggleFullscreen(); }
     void goTo(const std::string& program, const std::vector<std::string>& arguments) override {
         if (!arguments.empty())
-            checkScene(arguments[0]);
+            loadScene(arguments[0]);  // what is wrong with it is told here, and this picture stays
         handover_.program = program;
         handover_.arguments = arguments;
         const auto keep = [this](const std::string& option, const std::string& value) {
@@ -332,7 +263,9 @@ class Live final : public Host {
         int width = 0, height = 0;
         if (!screen_.size(width, height))
             return std::nullopt;
-        const auto pixel = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
+        const auto pixel = [](double share, int count) {
+            return std::clamp(static_cast<int>(share * count), 0, count - 1);
+        };
         const std::vector<Side> sides = session_.sides(width, before_);
         const auto ask = [&](const Side& side) {
             see(side, width, height);
@@ -341,8 +274,10 @@ class Live final : public Host {
         if (!at && !session_.pin)
             return std::nullopt;
         const Side& first = sides.front();
-        std::optional<ProbeReport> report = ask(at && pixel(at->x, width) < first.endColumn ? first : sides.back());
-        if (!at && report && report->pixel && (*report->pixel)[0] < first.endColumn && first.view == &session_.view())
+        std::optional<ProbeReport> report =
+            ask(at && pixel(at->x, width) < first.endColumn ? first : sides.back());
+        if (!at && report && report->pixel && (*report->pixel)[0] < first.endColumn &&
+            first.view == &session_.view())
             report = ask(first);
         if (report && report->pixel)
             report->drawn = screen_.pixel(session_, (*report->pixel)[0], (*report->pixel)[1]);
@@ -374,16 +309,12 @@ class Live final : public Host {
         window_.show(buildPanel(session_, facts_));
     }
 
-    struct Fling {
-        double dx, dy;  // heights of the window a second
-        bool pans;
-    };
-
     const Options& options_;
     Handover& handover_;
     Window& window_;
     Session session_;
     Commands commands_;
+    Gestures gestures_{session_, commands_};
     Screen screen_;
     Prober prober_;
     PanelFacts facts_;
@@ -393,11 +324,8 @@ class Live final : public Host {
     bool pictureChanged_ = true, sceneChanged_ = true;  // since the last draw; since the probe last saw it
     int probedFrom_ = 0;  // the first column of the side that it saw
     int panelChanged_ = 2;
-    bool coasting_ = false, minimised_ = false, leave_ = false;
-    std::optional<Fling> fling_;
-    std::optional<LightDrag> drag_;  // of a light's handle, while it is held
-    const THREE::Light* dragged_ = nullptr;
-    Clock::time_point last_ = Clock::now(), lastDrag_ = Clock::now();
+    bool minimised_ = false, leave_ = false;
+    Clock::time_point last_ = Clock::now();
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include "lab/live/keys.hpp"
 #include "lab/live/light_helpers.hpp"
 #include "lab/live/overlay.hpp"
-#include "lab/live/widgets.hpp"
 #include "lab/live/probe_text.hpp"
+#include "lab/live/widgets.hpp"
 #include "three/validate.hpp"
 
 #include <algorithm>
@@ -46,8 +46,7 @@ class Builder {
             panel_.message.push_back({facts_.message});
         addProbe();
         // In a narrow window the probe's numbers take the place of the controls, where they do not hide the point.
-        constexpr double narrow = 75;  // heights of a line
-        const bool instead = facts_.probe && facts_.width < narrow * session_.fontSize;
+        const bool instead = facts_.probe && isNarrow();
         panel_.probeAtRight = instead && facts_.probe->place && facts_.probe->place->x < 0.5;
         if (session_.panel && !instead)
             panel_.groups = widgetGroups(session_, facts_);
@@ -55,7 +54,9 @@ class Builder {
         if (session_.legend)
             addKeys();
         else
-            panel_.rows.push_back({{tell({"F1: tutti i tasti   Q: comandi   Esc: esce", "F1: all keys   Q: controls   Esc: leaves"}), Tone::idle}});
+            panel_.rows.push_back({{tell({"F1: tutti i tasti   Q: comandi   Esc: esce",
+                                          "F1: all keys   Q: controls   Esc: leaves"}),
+                                    Tone::idle}});
         addLegend();
         addDivider();
         if (session_.helpers)
@@ -65,6 +66,11 @@ class Builder {
 
   private:
     const char* tell(const Text& text) const { return session_.say(text); }
+
+    bool isNarrow() const {
+        constexpr double narrow = 75;  // heights of a line of text
+        return facts_.width < narrow * session_.fontSize;
+    }
 
     void addEquation() {
         lighting::Switches all = session_.switches;
@@ -77,7 +83,8 @@ class Builder {
             lighting::TermSet named = lighting::TermSet::none();
             for (const Symbol& symbol : symbols) {
                 panel_.equation.push_back(panelSymbol(symbol, full));
-                if (symbol.term && named.has(*symbol.term)) {  // key and slide stand with the first of a term's pieces
+                if (symbol.term &&
+                    named.has(*symbol.term)) {  // key and slide stand with the first of a term's pieces
                     panel_.equation.back().key.clear();
                     panel_.equation.back().slide.clear();
                 }
@@ -96,17 +103,18 @@ class Builder {
         out.command = std::string("term ") + row.name + " toggle";
         out.key = std::to_string(static_cast<int>(row.term) + 1);
         out.slide = row.slides;
-        out.help = std::string(row.symbol) + "  " + tell(row.meaning) + "\n" + tell({"spento: ", "off: "}) + tell(row.off) +
-                   "\nslide " + row.slides;
+        out.help = std::string(row.symbol) + "  " + tell(row.meaning) + "\n" + tell({"spento: ", "off: "}) +
+                   tell(row.off) + "\nslide " + row.slides;
         if (const Text idle = lighting::idleReason(*symbol.term, full); idle.en != nullptr)
-            out.help += std::string("\n") + tell({"qui non cambia nulla: ", "changes nothing here: "}) + tell(idle);
+            out.help +=
+                std::string("\n") + tell({"qui non cambia nulla: ", "changes nothing here: "}) + tell(idle);
         return out;
     }
 
     void addProbe() {
         if (!facts_.probe)
             return;
-        panel_.probe = probeLines(*facts_.probe, session_.language);
+        panel_.probe = probeLines(*facts_.probe, session_.language, isNarrow() ? 2 : 3);
         panel_.curves = pointCurves(*facts_.probe, session_.chosenLight, session_.language);
         OverlayOptions options;
         options.chosen = session_.chosenLight;
@@ -123,9 +131,10 @@ class Builder {
 
     void addKeys() {
         for (const Key& key : keyTable()) {
-            const bool about = std::string_view(key.command).starts_with("slider") ? !session_.view().controls().sliders().empty()
-                               : key.code == ' '                                   ? session_.view().animated()
-                                                                                   : true;
+            const bool about = std::string_view(key.command).starts_with("slider")
+                                   ? !session_.view().controls().sliders().empty()
+                               : key.code == ' ' ? session_.view().animated()
+                                                 : true;
             if (key.help.en != nullptr && about)
                 panel_.rows.push_back({{tell(key.help), Tone::plain}});
         }
@@ -141,12 +150,13 @@ class Builder {
             return;
         std::string text = tell({"tralasciati: ", "left out: "}) + std::to_string(count);
         if (drawn.clusters > 0)
-            text += tell({"; luci per parte dell'immagine: ", "; lights per part of the picture: "}) +
-                    valueText(static_cast<double>(drawn.clusterEntries) / static_cast<double>(drawn.clusters));
+            text +=
+                tell({"; luci per parte dell'immagine: ", "; lights per part of the picture: "}) +
+                valueText(static_cast<double>(drawn.clusterEntries) / static_cast<double>(drawn.clusters));
         panel_.rows.push_back({{text, Tone::title}});
         for (std::size_t i = 0; i < std::min(count, named); ++i)
-            panel_.rows.push_back({{THREE::describe(*drawn.skipped[i].object) + ": " + drawn.skipped[i].share +
-                                        tell(drawn.skipped[i].why),
+            panel_.rows.push_back({{THREE::describe(*drawn.skipped[i].object) + ": " +
+                                        drawn.skipped[i].share + tell(drawn.skipped[i].why),
                                     Tone::idle}});
         if (count > named)
             panel_.rows.push_back({{"...", Tone::idle}});
@@ -163,7 +173,9 @@ class Builder {
         const lighting::ViewInfo& row = lighting::info(session_.mode);
         PanelLegend legend{tell(row.meaning), {}};
         if (row.needsLight)
-            if (const int number = numberOf(lighting::viewLight(session_.view().scene(), session_.settings())); number > 0)
+            if (const int number =
+                    numberOf(lighting::viewLight(session_.view().scene(), session_.settings()));
+                number > 0)
                 legend.title += std::string(tell({", luce ", ", light "})) + std::to_string(number);
         const std::vector<lighting::LegendEntry> entries = lighting::legend(session_.mode);
         constexpr std::size_t most = 11;  // more are thinned out, but for the ends

@@ -21,7 +21,8 @@ bool wantsFloats(const std::string& path) {
     return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
 }
 
-image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer, const render::FrameRequest& request) {
+image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer,
+                       const render::FrameRequest& request) {
     const auto frameOf = [&](const Side& side) {
         return renderer.render(side.view->scene(), side.view->camera(), side.settings, request);
     };
@@ -29,7 +30,8 @@ image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer, 
     return sides.size() == 1 ? whole : render::sideBySide(whole, frameOf(sides[1]), sides[1].firstColumn);
 }
 
-image::Metadata metadata(const Session& session, const render::Renderer& renderer, const std::string& program) {
+image::Metadata metadata(const Session& session, const render::Renderer& renderer,
+                         const std::string& program) {
     image::Metadata all{{"lesson", program},
                         {"terms", session.switches.terms.text()},
                         {"equation", equationText(session.switches.terms, renderer.stats().shiny)},
@@ -64,7 +66,8 @@ void writePicture(Session& session, View* before, render::Renderer& renderer, re
     image::write(file, frame, metadata(session, renderer, program));
 }
 
-void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use) {
+void withLessonBefore(const Session& session, const std::string& program,
+                      const std::function<void(View*)>& use) {
     if (session.split != Split::lesson)
         return use(nullptr);
     Handover guest{nullptr, {}, {}, {}, [&use](View& view) { use(&view); }};

@@ -16,10 +16,12 @@ namespace lab {
 bool wantsFloats(const std::string& path);
 
 /// Draws each side, and puts them beside each other. Their views must be up to date.
-image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer, const render::FrameRequest& request);
+image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer,
+                       const render::FrameRequest& request);
 
 /// What is needed to know a picture again. The renderer has just drawn it.
-image::Metadata metadata(const Session& session, const render::Renderer& renderer, const std::string& program);
+image::Metadata metadata(const Session& session, const render::Renderer& renderer,
+                         const std::string& program);
 
 /// The picture of the session's sides, whatever its view is: a difference needs both renderers.
 image::Frame drawPicture(const Session& session, std::span<const Side> sides, render::Renderer& renderer,
@@ -31,7 +33,8 @@ void writePicture(Session& session, View* before, render::Renderer& renderer, re
 
 /// Calls `use` with the View of the lesson before `program`, or with null where the session does not show it. Throws UsageError where there
 /// is none.
-void withLessonBefore(const Session& session, const std::string& program, const std::function<void(View*)>& use);
+void withLessonBefore(const Session& session, const std::string& program,
+                      const std::function<void(View*)>& use);
 /// Moves the lesson before, if there is one, to where the session's camera and time are.
 void follow(Session& session, View* before, int width, int height);
 

@@ -31,8 +31,8 @@ std::string pinText(const std::optional<SurfacePoint>& pin, const THREE::Scene& 
     const auto place = std::find(meshes.begin(), meshes.end(), pin->mesh);
     if (place == meshes.end())
         return "none";
-    return numbersText({static_cast<double>(place - meshes.begin()) + 1, static_cast<double>(pin->triangle), pin->weights.x,
-                        pin->weights.y, pin->weights.z});
+    return numbersText({static_cast<double>(place - meshes.begin()) + 1, static_cast<double>(pin->triangle),
+                        pin->weights.x, pin->weights.y, pin->weights.z});
 }
 
 std::optional<SurfacePoint> readPin(const std::string& text, const THREE::Scene& scene) {
@@ -50,7 +50,9 @@ std::optional<SurfacePoint> readPin(const std::string& text, const THREE::Scene&
     if (!whole(0, 1, meshes.size() + 1))
         throw wrong("a mesh from 1 to " + std::to_string(meshes.size()));
     const THREE::Mesh& mesh = *meshes[static_cast<std::size_t>(numbers[0]) - 1];
-    const std::size_t corners = mesh.geometry ? mesh.geometry->index.empty() ? mesh.geometry->vertexCount() : mesh.geometry->index.size() : 0;
+    const std::size_t corners = mesh.geometry ? mesh.geometry->index.empty() ? mesh.geometry->vertexCount()
+                                                                             : mesh.geometry->index.size()
+                                              : 0;
     if (!whole(1, 0, corners / 3))
         throw wrong("a triangle below " + std::to_string(corners / 3));
     if (!(std::abs(numbers[2] + numbers[3] + numbers[4] - 1) < 1e-6))

@@ -127,21 +127,24 @@ void addSums(const ProbeReport& report, Language language, std::vector<Line>& li
     };
     if (report.probe.lit) {
         row({"ambiente D ⊗ L_A", "ambient D ⊗ L_A"}, report.probe.ambient, !report.on(Term::ambient));
-        row({"emessa", "emitted"}, report.probe.emitted, false);
+        if (report.probe.emitted != glm::dvec3(0))
+            row({"emessa", "emitted"}, report.probe.emitted, false);
         if (report.shines())
             row({"riflesso lucido", "highlight"}, highlightOf(report), !report.on(Term::specular));
     }
     row({"P", "P"}, report.probe.P, false);
     row({"P tra 0 e 1", "P clamped"}, report.clamped, false);
-    lines.push_back({{say({"codice a 8 bit", "8-bit code"}, language), Tone::title}, {codes(report.code), Tone::title}});
+    lines.push_back(
+        {{say({"codice a 8 bit", "8-bit code"}, language), Tone::title}, {codes(report.code), Tone::title}});
     if (!report.drawn)
         return;
     const glm::dvec3 difference = differenceOf(report);
     const double most = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
     lines.push_back({{"GPU", Tone::plain}, {codes(*report.drawn), Tone::plain}});
     // Beside a pixel's centre the two evaluate different points.
-    lines.push_back({{say({"differenza", "difference"}, language), Tone::plain},
-                     {significant(difference, exact), report.centre && most > 1 ? Tone::wrong : Tone::plain}});
+    lines.push_back(
+        {{say({"differenza", "difference"}, language), Tone::plain},
+         {significant(difference, exact), report.centre && most > 1 ? Tone::wrong : Tone::plain}});
 }
 
 // --- the line
@@ -247,7 +250,9 @@ std::vector<std::string> probeRemarks(const ProbeReport& report, Language langua
 
 std::vector<Line> probeLines(const ProbeReport& report, Language language, std::size_t lights) {
     std::vector<Line> lines;
-    lines.push_back({{"pixel " + whereIs(report, language) + say({", spazio mondo", ", world space"}, language), Tone::title}});
+    lines.push_back(
+        {{"pixel " + whereIs(report, language) + say({", spazio mondo", ", world space"}, language),
+          Tone::title}});
     if (report.probe.mesh != nullptr)
         lines.push_back({{report.mesh, Tone::title}});
     for (const std::string& remark : probeRemarks(report, language))
@@ -255,7 +260,8 @@ std::vector<Line> probeLines(const ProbeReport& report, Language language, std::
     if (report.probe.mesh != nullptr) {
         const bool albedoOff = report.probe.lit && !report.on(Term::albedo);
         const glm::dvec3 D = albedoOff ? glm::dvec3(1) : report.probe.D;
-        lines.push_back({{"Q", Tone::title}, {shortText(dusted(report.probe.Q, std::abs(report.probe.depth))), Tone::plain}});
+        lines.push_back({{"Q", Tone::title},
+                         {shortText(dusted(report.probe.Q, std::abs(report.probe.depth))), Tone::plain}});
         lines.push_back({{"n", Tone::title}, {shortText(report.probe.n), Tone::plain}});
         lines.push_back({{"D", Tone::title},
                          {colorText(D) + off(albedoOff, language), albedoOff ? Tone::idle : Tone::plain}});

@@ -35,8 +35,9 @@ std::string neighbour(const std::string& program, int steps) {
 
 std::string programNamed(const std::string& wanted) {
     const std::vector<std::string> names = programOrder();
-    const bool isNumber = !wanted.empty() && wanted.size() <= 2 &&
-                          std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    const bool isNumber =
+        !wanted.empty() && wanted.size() <= 2 &&
+        std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
     const std::string numbered = "lesson_" + std::string(wanted.size() == 1 ? "0" : "") + wanted + "_";
     std::string all;
     std::vector<std::string> found;
@@ -48,8 +49,8 @@ std::string programNamed(const std::string& wanted) {
         all += (all.empty() ? "" : ", ") + name;
     }
     if (found.size() != 1)
-        throw UsageError("expected the name of one lesson, a part of it, or its number; found '" + wanted + "'; there are " +
-                         all);
+        throw UsageError("expected the name of one lesson, a part of it, or its number; found '" + wanted +
+                         "'; there are " + all);
     return found[0];
 }
 

@@ -161,7 +161,8 @@ std::optional<std::string> Screen::reload(const std::string& file) {
 }
 
 void Screen::write(Session& session, View* before, const std::string& file, int width, int height) {
-    render::Renderer& renderer = session.renderer == RendererKind::gl ? static_cast<render::Renderer&>(gl_) : reference_;
+    render::Renderer& renderer =
+        session.renderer == RendererKind::gl ? static_cast<render::Renderer&>(gl_) : reference_;
     writePicture(session, before, renderer, reference_, file, {width, height, wantsFloats(file)}, program_);
 }
 
@@ -170,11 +171,12 @@ std::string Screen::lightCost(Session& session) {
     size(width, height);
     const bool byDriver = session.renderer == RendererKind::gl;
     render::Renderer& renderer = byDriver ? static_cast<render::Renderer&>(gl_) : reference_;
-    const LightCost cost = measureLights(session.view(), renderer, session.switches, session.time, {width, height},
-                                         byDriver ? 7 : 1);
-    return std::to_string(cost.lights) + session.say({" luci: ", " lights: "}) + valueText(median(cost.with)) +
-           session.say({" ms; senza: ", " ms; without: "}) + valueText(median(cost.without)) +
-           session.say({" ms; ogni luce: ", " ms; each light: "}) + valueText(cost.each()) + " ms";
+    const LightCost cost = measureLights(session.view(), renderer, session.switches, session.time,
+                                         {width, height}, byDriver ? 7 : 1);
+    return std::to_string(cost.lights) + session.say({" luci: ", " lights: "}) +
+           valueText(median(cost.with)) + session.say({" ms; senza: ", " ms; without: "}) +
+           valueText(median(cost.without)) + session.say({" ms; ogni luce: ", " ms; each light: "}) +
+           valueText(cost.each()) + " ms";
 }
 
 std::optional<PanelLegend> Screen::legend(const Session& session) const {
@@ -188,14 +190,16 @@ std::optional<PanelLegend> Screen::legend(const Session& session) const {
         return std::nullopt;
     PanelLegend legend{std::string(session.say({"differenza dal riferimento, codici; la maggiore: ",
                                                 "difference to the reference, codes; the largest: "})) +
-                           std::to_string(difference_->largest) + " (" + std::to_string(difference_->x) + ", " +
-                           std::to_string(difference_->y) + "); " + valueText(100 * difference_->share) +
+                           std::to_string(difference_->largest) + " (" + std::to_string(difference_->x) +
+                           ", " + std::to_string(difference_->y) + "); " +
+                           valueText(100 * difference_->share) +
                            session.say({" % dei pixel", " % of the pixels"}),
                        {}};
     for (const lighting::LegendEntry& entry : lighting::legend(lighting::ViewMode::difference))
-        legend.entries.push_back(
-            {{entry.color.x, entry.color.y, entry.color.z},
-             entry.text.en != nullptr ? session.say(entry.text) : entry.value ? valueText(*entry.value) : std::string()});
+        legend.entries.push_back({{entry.color.x, entry.color.y, entry.color.z},
+                                  entry.text.en != nullptr ? session.say(entry.text)
+                                  : entry.value            ? valueText(*entry.value)
+                                                           : std::string()});
     return legend;
 }
 

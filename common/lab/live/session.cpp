@@ -11,8 +11,9 @@
 namespace lab {
 
 Session::Session(View& view, const Options& options)
-    : switches(options.switches), renderer(options.renderer), time(options.time), lightTheme(options.lightTheme),
-      fontSize(options.fontSize), language(options.language), view_(view), options_(options) {
+    : switches(options.switches), renderer(options.renderer), time(options.time),
+      lightTheme(options.lightTheme), fontSize(options.fontSize), language(options.language), view_(view),
+      options_(options) {
     makeTable();
     if (!options.state.empty())
         for (const auto& [name, value] : readState(options.state, options.lesson).controls) {
@@ -40,7 +41,8 @@ void Session::findLights() {
 std::string Session::addedKinds() const {
     std::string kinds;
     for (const auto& one : added_)
-        kinds += (kinds.empty() ? "" : ",") + std::string(one->type()).substr(0, std::string(one->type()).size() - 5);
+        kinds += (kinds.empty() ? "" : ",") +
+                 std::string(one->type()).substr(0, std::string(one->type()).size() - 5);
     std::transform(kinds.begin(), kinds.end(), kinds.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return kinds.empty() ? "none" : kinds;
@@ -77,8 +79,8 @@ void Session::removeLight(int number) {
         throw UsageError("light " + std::to_string(number) + ": expected a light from 1 to " +
                          std::to_string(lights_.size()));
     const THREE::Light* const which = lights_[static_cast<std::size_t>(number - 1)];
-    const auto mine = std::find_if(added_.begin(), added_.end(),
-                                   [which](const auto& one) { return one.get() == which; });
+    const auto mine =
+        std::find_if(added_.begin(), added_.end(), [which](const auto& one) { return one.get() == which; });
     if (mine == added_.end())
         throw UsageError("light " + std::to_string(number) +
                          " is the lesson's own: switch it off instead (light " + std::to_string(number) +

@@ -50,21 +50,22 @@ void Session::addHiddenControls() {
                .set = [this](const std::string& value) { time = readNumber(value, -1e36, 1e36); },
                .moved = [this] { return time != 0; },
                .reset = [this] { time = 0; }});
-    table.add({.name = "jitter",
-               .kind = WidgetKind::action,
-               .help = {"seme di piccole variazioni, o none", "seed of small changes, or none"},
-               .get = [this] { return view_.jitter() ? std::to_string(*view_.jitter()) : std::string("none"); },
-               .set =
-                   [this](const std::string& value) {
-                       const auto seed = number<std::uint64_t>(value);
-                       if (!seed && value != "none")
-                           throw UsageError("expected none or a whole number from 0 on, found '" + value + "'");
-                       view_.setJitter(seed);
-                   },
-               .moved = [this] { return view_.jitter().has_value(); },
-               .reset = [this] { view_.setJitter({}); }});
-    table.addNumber("light cut", "", {"luce tralasciata, codici a 8 bit", "light left out, 8-bit codes"}, 0, 255,
-                    view_.lightCut, 0);
+    table.add(
+        {.name = "jitter",
+         .kind = WidgetKind::action,
+         .help = {"seme di piccole variazioni, o none", "seed of small changes, or none"},
+         .get = [this] { return view_.jitter() ? std::to_string(*view_.jitter()) : std::string("none"); },
+         .set =
+             [this](const std::string& value) {
+                 const auto seed = number<std::uint64_t>(value);
+                 if (!seed && value != "none")
+                     throw UsageError("expected none or a whole number from 0 on, found '" + value + "'");
+                 view_.setJitter(seed);
+             },
+         .moved = [this] { return view_.jitter().has_value(); },
+         .reset = [this] { view_.setJitter({}); }});
+    table.addNumber("light cut", "", {"luce tralasciata, codici a 8 bit", "light left out, 8-bit codes"}, 0,
+                    255, view_.lightCut, 0);
     table.add({.name = "pinned point",
                .kind = WidgetKind::action,
                .help = {"il punto fissato: mesh,triangolo,peso,peso,peso, o none",
@@ -88,14 +89,14 @@ void Session::addHiddenControls() {
                    },
                .moved = [this] { return split == Split::term; },
                .reset = [] {}});
-    table.addNumber("divider", "", {"dove sta il divisorio, 0 ... 1", "where the divider stands, 0 ... 1"}, 0, 1, divider,
-                    0.5);
+    table.addNumber("divider", "", {"dove sta il divisorio, 0 ... 1", "where the divider stands, 0 ... 1"}, 0,
+                    1, divider, 0.5);
     std::vector<ControlChoice> numbers;
     for (std::size_t i = 1; i <= std::max<std::size_t>(lights_.size(), 1); ++i)
         numbers.push_back({std::to_string(i), {}});
     table.addChoice(
-        "chosen light", "", {"la luce scelta", "the chosen light"}, std::move(numbers), [this] { return chosenLight - 1; },
-        [this](int i) { chosenLight = i + 1; }, 0);
+        "chosen light", "", {"la luce scelta", "the chosen light"}, std::move(numbers),
+        [this] { return chosenLight - 1; }, [this](int i) { chosenLight = i + 1; }, 0);
 }
 
 void Session::addPictureControls() {
@@ -117,13 +118,14 @@ void Session::addPictureControls() {
         modes.push_back({row.name, row.meaning});
     table.addChoice(
         "view", "picture", {"che cosa mostra l'immagine", "what the picture shows"}, std::move(modes),
-        [this] { return static_cast<int>(mode); }, [this](int i) { mode = static_cast<lighting::ViewMode>(i); }, 0);
+        [this] { return static_cast<int>(mode); },
+        [this](int i) { mode = static_cast<lighting::ViewMode>(i); }, 0);
     std::vector<ControlChoice> which{{"all", {"tutte le luci", "all lights"}}};
     for (std::size_t i = 1; i <= std::min<std::size_t>(lights_.size(), 64); ++i)
         which.push_back({std::to_string(i), {}});
     table.addChoice(
-        "only light", "picture", {"una luce da sola", "one light alone"}, std::move(which), [this] { return only; },
-        [this](int i) { only = i; }, 0);
+        "only light", "picture", {"una luce da sola", "one light alone"}, std::move(which),
+        [this] { return only; }, [this](int i) { only = i; }, 0);
     table.addChoice(
         "split", "picture", {"prima e dopo", "before and after"},
         {{"off", {"no", "off"}},
@@ -131,8 +133,8 @@ void Session::addPictureControls() {
          {"lesson", {"la lezione prima | questa", "the lesson before | this one"}}},
         [this] { return static_cast<int>(split); }, [this](int i) { split = static_cast<Split>(i); }, 0);
     for (Slider& slider : view_.controls().sliders()) {
-        Control& control = table.addNumber("slider " + slider.name, "sliders", slider.label, slider.min, slider.max,
-                                           slider.value, slider.own);
+        Control& control = table.addNumber("slider " + slider.name, "sliders", slider.label, slider.min,
+                                           slider.max, slider.value, slider.own);
         control.step = slider.step();
     }
 }
@@ -149,22 +151,24 @@ void Session::addEvaluationControls() {
         table.addChoice(
             std::string(row.option).substr(2), "evaluation", row.what, std::move(choices),
             [this, &row, first] { return row.get(switches) - first; },
-            [this, &row, first](int i) { row.set(switches, i + first); }, row.get(lighting::Switches()) - first);
+            [this, &row, first](int i) { row.set(switches, i + first); },
+            row.get(lighting::Switches()) - first);
     }
     table.addChoice(
         "renderer", "evaluation", {"chi disegna", "who draws"},
         {{"gl", {"la scheda grafica, float", "the graphics driver, floats"}},
          {"reference", {"il riferimento, double", "the reference, doubles"}}},
-        [this] { return static_cast<int>(renderer); }, [this](int i) { renderer = static_cast<RendererKind>(i); }, 0);
-    table.addChoice(
-        "decay", "evaluation", {"esponente k di ogni luce posizionale", "exponent k of every point light"},
-        {{"own", {"quello di ogni luce", "each light's own"}},
-         {"0", {}},
-         {"0.5", {}},
-         {"1", {}},
-         {"1.5", {}},
-         {"2", {}}},
-        {}, {}, 0);
+        [this] { return static_cast<int>(renderer); },
+        [this](int i) { renderer = static_cast<RendererKind>(i); }, 0);
+    table.addChoice("decay", "evaluation",
+                    {"esponente k di ogni luce posizionale", "exponent k of every point light"},
+                    {{"own", {"quello di ogni luce", "each light's own"}},
+                     {"0", {}},
+                     {"0.5", {}},
+                     {"1", {}},
+                     {"1.5", {}},
+                     {"2", {}}},
+                    {}, {}, 0);
     Control& decay = table.all().back();  // any number may be typed, the list is for the key
     decay.get = [this] { return view_.decay ? THREE::numberText(*view_.decay) : std::string("own"); };
     decay.set = [this](const std::string& value) {
@@ -178,18 +182,21 @@ void Session::addWindowControls() {
     const auto unsaved = [](Control& control) { control.saved = false; };
     if (view_.animated())
         unsaved(table.addToggle("play", "window", {"il movimento", "the movement"}, playing, false));
-    unsaved(table.addToggle("follow", "window", {"i numeri sotto il mouse", "the numbers under the mouse"}, follow, false));
-    unsaved(table.addToggle("helpers", "window", {"le luci, da prendere col mouse", "the lights, to be grabbed"},
-                            helpers, false));
+    unsaved(table.addToggle("follow", "window", {"i numeri sotto il mouse", "the numbers under the mouse"},
+                            follow, false));
+    unsaved(table.addToggle("helpers", "window",
+                            {"le luci, da prendere col mouse", "the lights, to be grabbed"}, helpers, false));
     unsaved(table.addToggle("keys", "window", {"elenco dei tasti", "the list of keys"}, legend, false));
-    unsaved(table.addToggle("panel", "window", {"i comandi a destra", "the controls at the right"}, panel, true));
+    unsaved(
+        table.addToggle("panel", "window", {"i comandi a destra", "the controls at the right"}, panel, true));
     unsaved(table.addToggle("light theme", "window", {"tema chiaro", "light theme"}, lightTheme, false));
-    Control& size = table.addNumber("font size", "window", {"grandezza dei caratteri", "size of the text"}, 16, 48,
-                                    fontSize, 16);
+    Control& size = table.addNumber("font size", "window", {"grandezza dei caratteri", "size of the text"},
+                                    16, 48, fontSize, 16);
     size.step = 2;
     unsaved(size);
     unsaved(table.addChoice(
-        "language", "window", {"lingua", "language"}, {{"it", {"italiano", "italiano"}}, {"en", {"English", "English"}}},
+        "language", "window", {"lingua", "language"},
+        {{"it", {"italiano", "italiano"}}, {"en", {"English", "English"}}},
         [this] { return static_cast<int>(language); }, [this](int i) { language = static_cast<Language>(i); },
         static_cast<int>(options_.language)));
 }

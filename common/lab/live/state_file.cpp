@@ -64,7 +64,8 @@ SavedState readState(const std::string& file, const std::string& program) {
                           "; is this a file that S or F2 saved?");
     };
     if (json.is_discarded() || !json.is_object())
-        throw UsageError(file + ": expected a JSON object, found something else; is this a file that S or F2 saved?");
+        throw UsageError(
+            file + ": expected a JSON object, found something else; is this a file that S or F2 saved?");
     const auto at = [&json](const char* name) { return json.contains(name) ? json[name] : Json(); };
     if (at("lambert_lab") != format)
         throw wrong("lambert_lab", std::to_string(format), at("lambert_lab"));

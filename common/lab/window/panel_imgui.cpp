@@ -20,6 +20,8 @@ namespace lab {
 
 namespace {
 
+constexpr float curveWidth = 12;  // of a column of curves, heights of a line
+
 // ImGui loads libGL by itself and leaves errors on ES contexts that are not ours to report.
 void drainErrors() {
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
@@ -160,23 +162,19 @@ void PanelDrawer::column(Brush& brush, float top, float width) {
 ImVec2 PanelDrawer::readings(float top, float right, float most) {
     const float gap = look_.gap(), room = right - gap;
     const float inside = room - 2 * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize;
-    const bool numbers = !panel_.probe.empty() || !panel_.curves.empty();
-    const bool apart = numbers && panel_.probeAtRight && panel_.groups.empty() && !panel_.legend;
-    const auto drawNumbers = [&] {
-        if (!panel_.probe.empty())
-            drawTable(look_, panel_.probe, inside);
-        if (!panel_.curves.empty())
-            drawCurves(look_, panel_.curves, inside);
-    };
+    const bool apart =
+        !panel_.probe.empty() && panel_.probeAtRight && panel_.groups.empty() && !panel_.legend;
     if (apart)
-        box("numbers", {right, top}, {1, 0}, {room, most}, drawNumbers);
-    if (apart && panel_.message.empty())
+        box("numbers", {right, top}, {1, 0}, {room, most}, [&] { drawTable(look_, panel_.probe, inside); });
+    if (apart && panel_.message.empty() && panel_.curves.empty())
         return {0, 0};
     return box("readings", {gap, top}, {0, 0}, {room, most}, [&] {
         if (!panel_.message.empty())
             flow(look_, panel_.message, inside);
-        if (!apart)
-            drawNumbers();
+        if (!panel_.probe.empty() && !apart)
+            drawTable(look_, panel_.probe, inside);
+        if (!panel_.curves.empty())
+            drawCurves(look_, panel_.curves, apart ? look_.em() * curveWidth : inside);
     });
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/window.hpp"
 #include "lab/window/panel_overlay.hpp"
 #include "lab/window/panel_text.hpp"
-#include "lab/window.hpp"
 
 #include <map>
 
