@@ -107,7 +107,8 @@ std::string complaint(const std::string& file, const Include& include) {
     // The reference judges the other path, so it shares nothing with it but the scene, and the names of terms and views.
     const std::string reference = "lighting/reference/";
     if (file.find(reference) != std::string::npos && target == "lighting" &&
-        !include.file.starts_with(reference) && include.file != "lighting/terms.hpp" && include.file != "lighting/views.hpp")
+        !include.file.starts_with(reference) && include.file != "lighting/terms.hpp" &&
+        include.file != "lighting/views.hpp")
         return file + ": includes \"" + include.file + "\", which the reference must not share";
     return "";
 }
