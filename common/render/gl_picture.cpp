@@ -25,6 +25,7 @@ bool GlRenderer::ready(std::span<const Part> parts) {
 }
 
 bool GlRenderer::drawPicture(std::span<const Part> parts, int width, int height) {
+    check(parts);
     const bool stays =
         pictureDrawn_ && picture_ != nullptr && picture_->width() == width && picture_->height() == height;
     if (stays && !ready(parts))

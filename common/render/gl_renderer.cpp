@@ -9,6 +9,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace render {
@@ -76,6 +77,7 @@ image::Frame GlRenderer::render(const lighting::FramePlan& plan, const lighting:
 }
 
 image::Frame GlRenderer::render(std::span<const Part> parts, const FrameRequest& request) {
+    check(parts);
     const bool countNonfinite = parts[0].settings->countNonfinite;
     RenderTarget& into = target(request, countNonfinite);
     into.bind();
@@ -100,6 +102,12 @@ void GlRenderer::renderOnly(const THREE::Scene& scene, const THREE::PerspectiveC
     target(request, settings.countNonfinite).bind();
     draw({&whole, 1}, request.width, request.height);
     glFinish();
+}
+
+void GlRenderer::check(std::span<const Part> parts) const {
+    if (parts.empty() || parts.size() > partLights_.size())
+        throw std::invalid_argument("a picture of " + std::to_string(parts.size()) +
+                                    " parts; expected one or two");
 }
 
 // Throws NoRenderer before anything is drawn.

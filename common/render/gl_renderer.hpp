@@ -43,7 +43,7 @@ class GlRenderer final : public Renderer {
     image::Frame render(const lighting::FramePlan& plan, const lighting::Settings& settings,
                         const FrameRequest& request);
     /// Draws one part or two into one frame: the bytes of each plan's own frame in its columns; others are not defined. Nonfinite
-    /// pixels are counted if the first part's settings say so.
+    /// pixels are counted if the first part's settings say so. Throws std::invalid_argument for another number of parts.
     image::Frame render(std::span<const Part> parts, const FrameRequest& request);
 
     // The window's picture: it is drawn when something has changed, into a target of its own, and shown as often as the panel over it.
@@ -79,6 +79,7 @@ class GlRenderer final : public Renderer {
     void showInWindow(const image::Frame& frame);
 
   private:
+    void check(std::span<const Part> parts) const;
     void draw(std::span<const Part> parts, int width, int height);
     void drawPart(const Part& part, int width, int height);
     void count(const lighting::FramePlan& plan);

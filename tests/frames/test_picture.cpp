@@ -97,6 +97,15 @@ TEST_F(Parts, SideBySideTakesColumns) {
     EXPECT_THROW(render::sideBySide(a, {2, 2, image::Floats(12)}, 1), image::Error);
 }
 
+TEST_F(Parts, AreOneOrTwo) {
+    const Look one = look(options.settings);
+    const Part three[] = {one.part(0, 1), one.part(1, 2), one.part(2, width)};
+    EXPECT_THROW(support::renderer().render(std::span<const Part>{}, {width, height, false}),
+                 std::invalid_argument);
+    EXPECT_THROW(support::renderer().render(three, {width, height, false}), std::invalid_argument);
+    EXPECT_THROW(support::renderer().drawPicture(three, width, height), std::invalid_argument);
+}
+
 // Two plans in turn are no light that moves.
 TEST_F(Parts, NoLightSeemsToMoveFromOneToTheOther) {
     const std::unique_ptr<render::GlRenderer> fresh = support::freshRenderer();

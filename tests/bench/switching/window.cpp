@@ -14,6 +14,7 @@
 #include <ctime>
 #include <deque>
 #include <mutex>
+#include <thread>
 
 namespace bench {
 
@@ -87,6 +88,7 @@ class Window {
             renderer_.prepare(planned(next));
         }
         renderer_.finishCompiling();
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));  // nobody is quicker at the keys
     }
 
     void rest() { renderer_.finishCompiling(); }
@@ -137,9 +139,9 @@ void toggle(Lesson& lesson, bool prepared, const Amount& amount) {
         to("toggle" + how, name + " off", one);
         for (std::size_t j = i + 1; j < std::min(i + 1 + amount.seconds, terms.size()); ++j) {
             to("toggle" + how, name + " off then " + terms[j].name + " off", one.without(terms[j].term));
-            to("toggle back", std::string(terms[j].name) + " on, " + name + " off", one);
+            to("back", std::string(terms[j].name) + " on, " + name + " off", one);
         }
-        to("toggle back", name + " on", lighting::TermSet::all());
+        to("back", name + " on", lighting::TermSet::all());
     }
 }
 
@@ -151,9 +153,9 @@ void chooseViews(Lesson& lesson, const Amount& amount) {
         if (static_cast<std::size_t>(row.view) > amount.firsts * 2)
             continue;
         settings.view = row.view;
-        window.show("view, not prepared", row.name, settings);
+        window.show("choose a view, not prepared", row.name, settings);
         settings.view = lighting::ViewMode::final;
-        window.show("view, back", row.name, settings);
+        window.show("back", row.name, settings);
     }
 }
 
@@ -163,11 +165,11 @@ void changeLights(Lesson& lesson, const Amount& amount) {
     window.show("", "", lesson.settings);
     for (int turn = 0; turn < 2; ++turn) {
         THREE::PointLight& light = lesson.point({1, 2, 3}, 1, 0, 2);
-        window.show("add a light", turn == 0 ? "first" : "again", lesson.settings);
+        window.show("add a light, not prepared", turn == 0 ? "first" : "again", lesson.settings);
         const auto drag = [&](const std::string& what, const auto& change) {
             for (int frame = 0; frame < amount.frames; ++frame) {
                 change(0.01 * frame);
-                window.show("drag", what + ", frame " + std::to_string(frame), lesson.settings);
+                window.show("drag a light", what + ", frame " + std::to_string(frame), lesson.settings);
             }
         };
         drag("position", [&light](double t) { light.position.set(1 + t, 2 - t, 3); });
@@ -175,7 +177,7 @@ void changeLights(Lesson& lesson, const Amount& amount) {
         drag("colour", [&light](double t) { light.color.setRGB(1, t, 0.5); });
         window.rest();
         light.visible = false;
-        window.show("remove a light", turn == 0 ? "first" : "again", lesson.settings);
+        window.show("back", "the light is gone", lesson.settings);
     }
 }
 

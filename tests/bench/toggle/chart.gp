@@ -13,5 +13,5 @@ sorted(cache, group) = "< awk -F, '$1 == \"".cache."\" && $0 ~ /^[^,]*,\"".group
 plot sorted('no cache', 'toggle, prepared') using 1:2 with linespoints ls 3 title 'toggle, where Mesa may keep no shader cache', \
      sorted('cold', 'toggle, not prepared') using 1:2 with linespoints ls 2 title 'toggle, empty shader cache, not prepared', \
      sorted('cold', 'toggle, prepared') using 1:2 with linespoints ls 1 title 'toggle, empty shader cache, prepared', \
-     sorted('cold', 'drag') using 1:2 with linespoints ls 4 title 'a light that is dragged, empty shader cache', \
+     sorted('cold', 'drag a light') using 1:2 with linespoints ls 4 title 'a light that is dragged, empty shader cache', \
      50 with lines lc rgb '#555555' dt 3 title 'target'
