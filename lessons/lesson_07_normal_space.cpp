@@ -9,7 +9,7 @@
 //
 // The surprise: with rotations and equal scales both matrices agree, so a wrong program looks right for six lessons.
 // Here the knot is squashed, and key N (or --normal-matrix model) shows what the model matrix alone would do.
-// Try: key V (or --space view): world or view space, light for light the same picture. Why not clip space?
+// Try: key X (or --space view): world or view space, light for light the same picture. Why not clip space?
 //
 // SPDX-License-Identifier: MIT
 #include "lab/lab.hpp"

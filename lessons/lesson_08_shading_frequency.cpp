@@ -7,7 +7,7 @@
 //
 //     per fragment: P( interpolate(n), interpolate(Q) )          per vertex: interpolate( P(n, Q) )
 //
-// The surprise: key S (or --shading vertex). The knot, 51,200 triangles, stays as it is, but the floor has only two: the
+// The surprise: key G (or --shading vertex). The knot, 51,200 triangles, stays as it is, but the floor has only two: the
 // pool of light lies between its corners, so it is gone. Try --shading flat: why does light still vary over the floor?
 //
 // SPDX-License-Identifier: MIT

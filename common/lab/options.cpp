@@ -243,7 +243,10 @@ std::pair<int, int> readSize(std::string_view text) {
 }
 
 CameraOption readCamera(std::string_view text) {
-    const std::vector<double> values = readNumbers(text, 6, 7);
+    const std::vector<double> values = readNumbers(text, 1, 100);
+    if (values.size() != 6 && values.size() != 7)
+        throw UsageError("expected px,py,pz,tx,ty,tz or, with the angle of view, one number more; found " +
+                         std::to_string(values.size()) + " in '" + std::string(text) + "'");
     CameraOption camera{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, {}};
     if (values.size() == 7) {
         if (!(values[6] > 0 && values[6] < 180))

@@ -56,7 +56,7 @@ const std::array<ViewInfo, viewCount>& views() {
         {V::blue, "blue", "26", {"il canale blu di P", "the blue channel of P"}, false, ramp},
         {V::normals, "normals", "16-20, 33", {"n, come colore", "n, as a colour"}, false, axes},
         {V::w, "w", "16-20, 29-30", {"ω, come colore", "ω, as a colour"}, true, axes},
-        {V::bands, "bands", "16-24", {"n·ω a gradini di 0,1", "n·ω in steps of 0.1"}, true, steps},
+        {V::bands, "bands", "16-25", {"n·ω a gradini di 0,1", "n·ω in steps of 0.1"}, true, steps},
         {V::overexposed,
          "overexposed",
          "39",

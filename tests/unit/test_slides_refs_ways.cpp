@@ -1,5 +1,6 @@
 // slides_refs/slides.json leads from every slide to lessons, terms, views or lines, and each of those leads back.
 // SPDX-License-Identifier: MIT
+#include "lighting/views.hpp"
 #include "unit/test_slides_refs.hpp"
 
 #include <regex>
@@ -111,7 +112,8 @@ TEST(SlidesRefsWays, SlidesOfATermNameIt) {
     EXPECT_EQ(known, expected);
 }
 
-// Keys that change how the equation is evaluated, as the window has them; views hold nothing but keys, options and scene_viewer.
+// Keys that change how the equation is evaluated or seen, as the window has them; "views" hold nothing but keys, the window's views,
+// options and scene_viewer.
 TEST(SlidesRefsWays, EveryKeyOfTheWindowThatShowsTheEquationIsNamed) {
     std::set<std::string> named;
     for (const json& slide : refs().at("slides")) {
@@ -120,14 +122,38 @@ TEST(SlidesRefsWays, EveryKeyOfTheWindowThatShowsTheEquationIsNamed) {
             if (text.starts_with("key ")) {
                 named.insert(text.substr(4));
             } else {
-                EXPECT_TRUE(text.starts_with("--") || text == "scene_viewer")
+                EXPECT_TRUE(text.starts_with("--") || text.starts_with("view ") || text == "scene_viewer")
                     << slideName(slide) << ": " << text;
             }
         }
     }
     const std::set<std::string> expected{"1", "2", "3", "4", "5", "6", "7", "8",
-                                         "9", "S", "V", "N", "B", "K", "C", "Tab"};
+                                         "9", "G", "X", "N", "B", "K", "C", "Tab", "P", "I", "H", "O", "/"};
     EXPECT_EQ(named, expected);
+}
+
+// A view of the window is named by the slides that its table says it belongs to, and by no others.
+TEST(SlidesRefsWays, ViewsAndSlidesLeadToEachOther) {
+    std::map<std::string, std::set<int>> named;
+    for (const json& slide : refs().at("slides")) {
+        for (const json& view : slide.at("views")) {
+            if (const auto text = view.get<std::string>(); text.starts_with("view ")) {
+                named[text.substr(5)].insert(slide.at("number").get<int>());
+            }
+        }
+    }
+    std::set<std::string> known;
+    for (const lighting::ViewInfo& row : lighting::views()) {
+        known.insert(row.name);
+        const std::set<int> slides = slidesIn(row.slides);
+        for (const int slide : named[row.name]) {
+            EXPECT_TRUE(slides.contains(slide)) << "slide " << slide << " names view " << row.name;
+        }
+        EXPECT_TRUE(!named[row.name].empty() || slides.empty()) << row.name << " is named by no slide";
+    }
+    for (const auto& [name, slides] : named) {
+        EXPECT_TRUE(known.contains(name)) << name << " is no view";
+    }
 }
 
 }  // namespace
