@@ -73,6 +73,7 @@ close_window() {
 # say COMMAND: says it and waits for its answer, which is the next line on stdout that starts as answers do. Sets answer.
 say() {
     local before now _
+    kill -0 $lesson 2>/dev/null || { answer="$name is gone"; return 1; }
     before=$(grep -cE '^(ok|error|probe) ' out.txt)
     echo "$1" >&7
     for _ in $(seq 200); do

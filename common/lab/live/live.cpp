@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <deque>
 #include <iostream>
@@ -189,15 +190,29 @@ class Live final : public Host {
     }
 
     void fileChanged(const std::string& file) {
-        if (const std::optional<std::string> wrong = screen_.reload(file)) {
-            answer(wrong->empty() ? "ok reload " + file : "error " + *wrong);
-            std::cout.flush();
-            if (!wrong->empty())
-                std::cerr << options_.lesson << ": " << *wrong << std::endl;
-            pictureChanged_ = true;
-        } else if (!options_.sceneFile.empty() && sameFile(file, options_.sceneFile)) {
-            goTo("scene_viewer", {options_.sceneFile});
+        std::optional<std::string> wrong = screen_.reload(file);
+        if (!wrong && !options_.sceneFile.empty() && sameFile(file, options_.sceneFile)) {
+            wrong.emplace();
+            if (const std::optional<Failure> failure = attempt([&] { goTo("scene_viewer", {options_.sceneFile}); }))
+                wrong = messageOf(*failure, options_.sceneFile);
         }
+        if (!wrong)
+            return;
+        answer(wrong->empty() ? "ok reload " + file : "error " + *wrong);
+        if (!wrong->empty())
+            std::cerr << options_.lesson << ": " << *wrong << std::endl;
+        else
+            reloaded_ = Clock::now();
+        pictureChanged_ = true;
+    }
+
+    // How long a changed shader took.
+    void tellReload() {
+        if (!reloaded_ || screen_.waiting() || screen_.problem())
+            return;
+        std::cout << "reload: on screen after " << valueText(std::round(1000 * seconds(Clock::now() - *reloaded_)))
+                  << " ms" << std::endl;
+        reloaded_.reset();
     }
 
     // ---- Host
@@ -307,6 +322,7 @@ class Live final : public Host {
         screen_.size(facts_.width, height);
         facts_.probe = session_.pin ? look({}) : session_.follow && mouse_ ? look(mouse_) : std::nullopt;
         window_.show(buildPanel(session_, facts_));
+        tellReload();
     }
 
     const Options& options_;
@@ -326,6 +342,7 @@ class Live final : public Host {
     int panelChanged_ = 2;
     bool minimised_ = false, leave_ = false;
     Clock::time_point last_ = Clock::now();
+    std::optional<Clock::time_point> reloaded_;  // when shaders were, until they are seen
 };
 
 }  // namespace

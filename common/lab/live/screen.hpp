@@ -32,6 +32,8 @@ class Screen {
     /// What has become ready since the last draw.
     enum class News { none, panel, picture };
     News news();
+    /// Whether the picture is an old one, because shaders are being compiled.
+    bool waiting() const { return waiting_; }
     /// Gets ready for one more of the things that the user may do next. False where there is nothing left to do.
     bool prepare(Session& session);
     /// What is wrong with the shaders, if something is: the picture is the last good one.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace lab {
 
@@ -48,7 +49,19 @@ std::string Session::addedKinds() const {
     return kinds.empty() ? "none" : kinds;
 }
 
-// A new light stands where it is seen: above the right shoulder of whoever looks.
+// To the upper right of the picture's middle, somewhat nearer than what is looked at.
+THREE::Vector3 Session::placeInView() {
+    const Orbit& orbit = view_.orbit();
+    const THREE::PerspectiveCamera& camera = view_.camera();
+    const double half = orbit.distance() * std::tan(camera.fov * std::numbers::pi / 360) / camera.zoom;
+    const glm::dmat4& axes = camera.matrixWorld.elements;
+    const auto axis = [&axes](int i) { return THREE::Vector3(glm::dvec3(axes[i])).normalize(); };
+    return THREE::Vector3(orbit.target())
+        .add(axis(0).multiplyScalar(0.4 * half))
+        .add(axis(1).multiplyScalar(0.4 * half))
+        .add(axis(2).multiplyScalar(0.25 * orbit.distance()));
+}
+
 int Session::addLight(const std::string& kind) {
     constexpr std::size_t most = 64;
     if (lights_.size() >= most)
@@ -65,9 +78,9 @@ int Session::addLight(const std::string& kind) {
         throw UsageError("light add: expected directional, point or ambient, found '" + kind + "'");
     if (kind == "directional")
         made->position.set(1, 2, 2);
-    else if (kind == "point")
-        made->position = THREE::Vector3(view_.orbit().target()).add({1.5, 2, 1.5});
     view_.scene().add(*made);
+    if (kind == "point")
+        view_.overrides.lights[made.get()].position = placeInView();
     added_.push_back(std::move(made));
     makeTable();
     chosenLight = static_cast<int>(lights_.size());

@@ -96,6 +96,7 @@ class Session {
     void addHiddenControls();
     void findLights();
     const THREE::Light* lightOfView() const;
+    THREE::Vector3 placeInView();
     std::string addedKinds() const;
     void setAddedKinds(const std::string& kinds);
 
