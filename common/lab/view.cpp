@@ -151,7 +151,7 @@ void View::update(double time, int width, int height) {
                 point->decay = *decay;
             }
         });
-    overrides.apply();
+    overrides.apply(scene_);
     camera_.aspect = static_cast<double>(width) / height;
     const auto check = [this] {
         scene_.updateMatrixWorld();

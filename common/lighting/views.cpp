@@ -18,7 +18,7 @@ const std::array<ViewInfo, viewCount>& views() {
     static const std::array<ViewInfo, viewCount> table{{
         {V::final, "final", "42", {"l'immagine finale P", "the final picture P"}, false, none},
         {V::albedo, "albedo", "14, 27", {"D: il colore base", "D: the base colour"}, false, none},
-        {V::cosine, "cosine", "16-20, 24", {"n·ω, con il suo segno", "n·ω, with its sign"}, true, ramp},
+        {V::cosine, "cosine", "16-24", {"n·ω, con il suo segno", "n·ω, with its sign"}, true, ramp},
         {V::clamp, "clamp", "23-24", {"max(0, n·ω)", "max(0, n·ω)"}, true, ramp},
         {V::lightColor,
          "light_color",

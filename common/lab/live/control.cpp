@@ -96,14 +96,15 @@ Control* ControlTable::find(std::string_view name) {
 }
 
 void ControlTable::set(Control& control, const std::string& value) {
-    const std::string name = control.name;  // setting it may make the table anew
+    const Control now = control;  // setting it may make the table anew
+    const std::string& name = now.name;
     try {
         if (value == "reset")
-            control.reset();
+            now.reset();
         else
-            control.set(value == "toggle" || value == "next" ? control.next()
-                        : value == "previous"                ? control.next(-1)
-                                                             : value);
+            now.set(value == "toggle" || value == "next" ? now.next()
+                    : value == "previous"                ? now.next(-1)
+                                                         : value);
     } catch (const UsageError& error) {
         throw UsageError(name + ": " + error.what());
     }
@@ -127,7 +128,7 @@ void ControlTable::apply(const State& wanted, const std::function<void()>& chang
         if (value != wanted.end() && control.get() != value->second)
             set(control, value->second);
         else if (value == wanted.end() && control.moved())
-            control.reset();
+            set(control, "reset");
         else
             continue;
         changed();

@@ -10,6 +10,7 @@
 #include "lab/live/panel_builder.hpp"
 #include "lab/live/probe_text.hpp"
 #include "lab/live/screen.hpp"
+#include "lab/live/side_prober.hpp"
 #include "lab/live/values.hpp"
 #include "lab/scene_files.hpp"
 
@@ -193,7 +194,8 @@ class Live final : public Host {
         std::optional<std::string> wrong = screen_.reload(file);
         if (!wrong && !options_.sceneFile.empty() && sameFile(file, options_.sceneFile)) {
             wrong.emplace();
-            if (const std::optional<Failure> failure = attempt([&] { goTo("scene_viewer", {options_.sceneFile}); }))
+            if (const std::optional<Failure> failure =
+                    attempt([&] { goTo("scene_viewer", {options_.sceneFile}); }))
                 wrong = messageOf(*failure, options_.sceneFile);
         }
         if (!wrong)
@@ -210,8 +212,8 @@ class Live final : public Host {
     void tellReload() {
         if (!reloaded_ || screen_.waiting() || screen_.problem())
             return;
-        std::cout << "reload: on screen after " << valueText(std::round(1000 * seconds(Clock::now() - *reloaded_)))
-                  << " ms" << std::endl;
+        std::cout << "reload: on screen after "
+                  << valueText(std::round(1000 * seconds(Clock::now() - *reloaded_))) << " ms" << std::endl;
         reloaded_.reset();
     }
 
@@ -273,43 +275,21 @@ class Live final : public Host {
 
     // ---- drawing
 
-    // The numbers of a place of the picture, of the side that is seen there, or of the pinned point.
+    // The numbers of a place of the picture, or of the pinned point, with what the driver drew there.
     std::optional<ProbeReport> look(const std::optional<PanelPoint>& at) {
         int width = 0, height = 0;
         if (!screen_.size(width, height))
             return std::nullopt;
-        const auto pixel = [](double share, int count) {
-            return std::clamp(static_cast<int>(share * count), 0, count - 1);
-        };
-        const std::vector<Side> sides = session_.sides(width, before_);
-        const auto ask = [&](const Side& side) {
-            see(side, width, height);
-            return at ? prober_.at(pixel(at->x, width), pixel(at->y, height)) : prober_.at(*session_.pin);
-        };
-        if (!at && !session_.pin)
-            return std::nullopt;
-        const Side& first = sides.front();
-        std::optional<ProbeReport> report =
-            ask(at && pixel(at->x, width) < first.endColumn ? first : sides.back());
-        if (!at && report && report->pixel && (*report->pixel)[0] < first.endColumn &&
-            first.view == &session_.view())
-            report = ask(first);
+        std::optional<ProbeReport> report = prober_.look(session_, before_, at, width, height);
         if (report && report->pixel)
             report->drawn = screen_.pixel(session_, (*report->pixel)[0], (*report->pixel)[1]);
         return report;
     }
 
-    void see(const Side& side, int width, int height) {
-        if (!sceneChanged_ && side.firstColumn == probedFrom_)
-            return;
-        prober_.see(side.view->scene(), side.view->camera(), side.settings, width, height);
-        sceneChanged_ = false;
-        probedFrom_ = side.firstColumn;
-    }
-
     void draw() {
         minimised_ = !screen_.draw(session_, before_, pictureChanged_);
-        sceneChanged_ |= pictureChanged_;
+        if (pictureChanged_)
+            prober_.changed();
         pictureChanged_ = false;
         panelChanged_ = std::max(0, panelChanged_ - 1);
         if (minimised_)
@@ -332,13 +312,12 @@ class Live final : public Host {
     Commands commands_;
     Gestures gestures_{session_, commands_};
     Screen screen_;
-    Prober prober_;
+    SideProber prober_;
     PanelFacts facts_;
     View* before_ = nullptr;
     std::deque<Event> pending_;
     std::optional<PanelPoint> mouse_;
-    bool pictureChanged_ = true, sceneChanged_ = true;  // since the last draw; since the probe last saw it
-    int probedFrom_ = 0;  // the first column of the side that it saw
+    bool pictureChanged_ = true;  // since the last draw
     int panelChanged_ = 2;
     bool minimised_ = false, leave_ = false;
     Clock::time_point last_ = Clock::now();

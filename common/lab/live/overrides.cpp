@@ -2,10 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include "lab/live/overrides.hpp"
 
+#include <set>
+
 namespace lab {
 
-void Overrides::apply() {
+void Overrides::forgetWhatIsGone(THREE::Scene& scene) {
+    std::set<const void*> there;
+    scene.traverse([&there](THREE::Object3D& object) {
+        if (const auto* light = dynamic_cast<const THREE::Light*>(&object))
+            there.insert(light);
+        if (const auto* mesh = dynamic_cast<const THREE::Mesh*>(&object))
+            there.insert(mesh->material.get());
+    });
+    const auto gone = [&there](const auto& row) { return !there.contains(row.first); };
+    std::erase_if(lights, gone);
+    std::erase_if(materials, gone);
+}
+
+void Overrides::apply(THREE::Scene& scene) {
     undo();
+    if (lights.empty() && materials.empty())
+        return;
+    forgetWhatIsGone(scene);
     for (const auto& [light, given] : lights) {
         put(light->visible, given.on);
         put(light->color, given.color);

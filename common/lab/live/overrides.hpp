@@ -4,6 +4,7 @@
 
 #include "three/lights.hpp"
 #include "three/materials.hpp"
+#include "three/scene.hpp"
 
 #include <functional>
 #include <map>
@@ -29,16 +30,17 @@ struct MaterialOverride {
 };
 
 /// Put on the scene after its animation has moved it, and taken off before the animation moves it again: so an animation need
-/// not know of them, and each can be taken back.
+/// not know of them, and each can be taken back. What an animation has taken out of the scene is forgotten.
 class Overrides {
   public:
-    std::map<THREE::Light*, LightOverride> lights;  ///< all must live
+    std::map<THREE::Light*, LightOverride> lights;
     std::map<THREE::Material*, MaterialOverride> materials;
 
-    void apply();
+    void apply(THREE::Scene& scene);
     void undo();
 
   private:
+    void forgetWhatIsGone(THREE::Scene& scene);
     template <class T>
     void put(T& place, const std::optional<T>& value) {
         if (!value)

@@ -31,12 +31,23 @@ Session::Session(View& view, const Options& options)
     start_ = table.state();
 }
 
-void Session::findLights() {
-    lights_.clear();
-    view_.scene().traverse([this](THREE::Object3D& object) {
-        if (auto* const found = dynamic_cast<THREE::Light*>(&object))
-            lights_.push_back(found);
+std::vector<THREE::Light*> Session::lightsOfScene() {
+    std::vector<THREE::Light*> found;
+    view_.scene().traverse([&found](THREE::Object3D& object) {
+        if (auto* const light = dynamic_cast<THREE::Light*>(&object))
+            found.push_back(light);
     });
+    return found;
+}
+
+void Session::updateNow() {
+    view_.update(time, width_, height_);
+    if (lightsOfScene() == lights_)
+        return;
+    makeTable();  // an animation has added lights, or taken some out
+    const int count = static_cast<int>(lights_.size());
+    chosenLight = std::clamp(chosenLight, 1, std::max(1, count));
+    only = std::min(only, count);
 }
 
 std::string Session::addedKinds() const {

@@ -76,7 +76,7 @@ class Session {
         updateNow();
     }
     /// The same for the size before.
-    void updateNow() { view_.update(time, width_, height_); }
+    void updateNow();
 
     State state() const { return table.state(); }
     /// Makes it so. Throws UsageError; then everything is as it was.
@@ -94,7 +94,7 @@ class Session {
     void addMaterialControls();
     void addWindowControls();
     void addHiddenControls();
-    void findLights();
+    std::vector<THREE::Light*> lightsOfScene();
     const THREE::Light* lightOfView() const;
     THREE::Vector3 placeInView();
     std::string addedKinds() const;

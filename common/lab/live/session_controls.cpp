@@ -16,7 +16,7 @@ namespace lab {
 using lighting::Text;
 
 void Session::makeTable() {
-    findLights();
+    lights_ = lightsOfScene();
     table.clear();
     addHiddenControls();
     addPictureControls();
