@@ -59,7 +59,8 @@ PanelCurve cosineCurve(const ProbeReport& report, const ProbeLight& light, Langu
     const double degrees = degreesBetween(report.probe.n, light.addend.w);
     const Diagram diagram{0, 180, clamps ? 0.0 : -1.0, 1, cosine};
     diagram.draw(curve, degrees, light.addend.clamped);
-    curve.dotText = of(clamps ? "max(0, cos)" : "cos", degrees, "°", light.addend.clamped);
+    const std::string angle = "cos " + significant(degrees, 3) + "°";
+    curve.dotText = (clamps ? "max(0, " + angle + ")" : angle) + " = " + significant(light.addend.clamped, 3);
     return curve;
 }
 
