@@ -24,7 +24,7 @@ finish() {
 
 start_display() { # start_display SCREEN: sets xvfb, DISPLAY
     rm -f display
-    Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp >xvfb.log 2>&1 3>display &
+    Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp -noreset >xvfb.log 2>&1 3>display &
     xvfb=$!
     local _
     for _ in $(seq 100); do
@@ -44,7 +44,7 @@ open_window() {
     name=$1
     shift
     rm -f commands && mkfifo commands
-    LANG=C "$bin/$name" --lang en "$@" <commands >out.txt 2>err.txt &
+    LC_ALL=C "$bin/$name" "$@" <commands >out.txt 2>err.txt &
     lesson=$!
     exec 7>commands
     window=
