@@ -58,7 +58,7 @@ struct Desk {
         bulb.position.set(2, 1.5, 5);
         camera.position.set(2.2, 2.7, 6.4);
         camera.lookAt(0, 1.2, 0);
-        strength = &sliders.add("strength", 1, 0, 5, {"", ""});
+        strength = &sliders.add("strength", 1, 0, 5, {"forza", "strength"});
         animation = [this](double t) {
             mesh.rotation.y = t;
             bulb.intensity = *strength;
