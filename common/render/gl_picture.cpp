@@ -67,16 +67,4 @@ void GlRenderer::prepare(const lighting::FramePlan& plan) {
         programs_.prepare(draw.variant);
 }
 
-void GlRenderer::drawToWindow(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
-                              int height) {
-    const Part whole{&plan, &settings, 0, width};
-    drawIntoPicture({&whole, 1}, width, height);
-    showPicture();
-}
-
-void GlRenderer::showInWindow(const image::Frame& frame) {
-    setPicture(frame);
-    showPicture();
-}
-
 }  // namespace render

@@ -72,12 +72,6 @@ class GlRenderer final : public Renderer {
     /// until drawPicture() is called.
     bool reload(std::string& error) { return programs_.reload(error); }
 
-    /// drawPicture() that waits for what has to be compiled, and showPicture().
-    void drawToWindow(const lighting::FramePlan& plan, const lighting::Settings& settings, int width,
-                      int height);
-    /// setPicture() and showPicture().
-    void showInWindow(const image::Frame& frame);
-
   private:
     void check(std::span<const Part> parts) const;
     void draw(std::span<const Part> parts, int width, int height);

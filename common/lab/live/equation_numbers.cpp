@@ -14,8 +14,6 @@ namespace lab {
 using lighting::Term;
 using lighting::Text;
 
-namespace {
-
 Tone toneOf(SymbolState state) {
     switch (state) {
     case SymbolState::active:
@@ -29,6 +27,8 @@ Tone toneOf(SymbolState state) {
     }
     return Tone::plain;
 }
+
+namespace {
 
 class Writer {
   public:

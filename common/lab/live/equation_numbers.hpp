@@ -7,6 +7,9 @@
 
 namespace lab {
 
+/// How a symbol's state looks.
+Tone toneOf(SymbolState state);
+
 /// P = ( max(0, 0.62) · 1 · (1.00, 0.53, 0.33) ⊗ (1, 1, 1) + ... ) + (..) ⊗ (..) = (0.71, 0.40, 0.25):
 /// written out for each light where up to three are on, else for the brightest two. `symbols` is
 /// lab::equation of the same switches: a number has the tone of its symbol and, as command, "term NAME

@@ -21,20 +21,6 @@ namespace {
 
 using lighting::Text;
 
-Tone toneOf(SymbolState state) {
-    switch (state) {
-    case SymbolState::active:
-        return Tone::active;
-    case SymbolState::idle:
-        return Tone::idle;
-    case SymbolState::off:
-        return Tone::off;
-    case SymbolState::plain:
-        break;
-    }
-    return Tone::plain;
-}
-
 class Builder {
   public:
     Builder(Session& session, const PanelFacts& facts) : session_(session), facts_(facts) {}
