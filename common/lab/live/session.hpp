@@ -93,7 +93,9 @@ class Session {
     void addControlsOf(THREE::Light& light, int number);
     void addMaterialControls();
     void addWindowControls();
-    void addHiddenControls();
+    void addSceneControls();
+    void addMarkControls();
+    void addTermControls();
     std::vector<THREE::Light*> lightsOfScene();
     const THREE::Light* lightOfView() const;
     THREE::Vector3 placeInView();

@@ -18,7 +18,9 @@ using lighting::Text;
 void Session::makeTable() {
     lights_ = lightsOfScene();
     table.clear();
-    addHiddenControls();
+    addSceneControls();
+    addMarkControls();
+    addTermControls();
     addPictureControls();
     addEvaluationControls();
     addLightControls();
@@ -26,8 +28,8 @@ void Session::makeTable() {
     addWindowControls();
 }
 
-// What has no place on the panel. The lights that were added come first: the others bring their controls along.
-void Session::addHiddenControls() {
+// Where all is, without a place on the panel. The lights that were added come first: the others bring their controls along.
+void Session::addSceneControls() {
     table.add({.name = "added lights",
                .kind = WidgetKind::action,
                .help = {"luci aggiunte a mano", "lights added by hand"},
@@ -66,6 +68,10 @@ void Session::addHiddenControls() {
          .reset = [this] { view_.setJitter({}); }});
     table.addNumber("light cut", "", {"luce tralasciata, codici a 8 bit", "light left out, 8-bit codes"}, 0,
                     255, view_.lightCut, 0);
+}
+
+// What was marked by hand, without a place on the panel either.
+void Session::addMarkControls() {
     table.add({.name = "pinned point",
                .kind = WidgetKind::action,
                .help = {"il punto fissato: mesh,triangolo,peso,peso,peso, o none",
@@ -99,7 +105,7 @@ void Session::addHiddenControls() {
         [this] { return chosenLight - 1; }, [this](int i) { chosenLight = i + 1; }, 0);
 }
 
-void Session::addPictureControls() {
+void Session::addTermControls() {
     for (const lighting::TermInfo& row : lighting::terms()) {
         const lighting::Term term = row.term;
         Control control{.name = std::string("term ") + row.name, .group = "terms", .help = row.meaning};
@@ -113,6 +119,9 @@ void Session::addPictureControls() {
         control.reset = [this, term] { switches.terms = switches.terms.with(term); };
         table.add(std::move(control));
     }
+}
+
+void Session::addPictureControls() {
     std::vector<ControlChoice> modes;
     for (const lighting::ViewInfo& row : lighting::views())
         modes.push_back({row.name, row.meaning});
