@@ -76,6 +76,7 @@ void Screen::drawByDriver(std::span<const Side> sides) {
     }
     compiled_ = false;
     byDriver_ = true;
+    drawn_.skipped.clear();  // objects that may be gone by now
     try {
         waiting_ = !gl_.drawPicture(parts, width_, height_);
         problem_.reset();
