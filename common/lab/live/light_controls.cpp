@@ -16,8 +16,7 @@ using THREE::Vector3;
 
 namespace {
 
-constexpr std::size_t mostLights = 64,
-                      mostMaterials = 16;  // more are no panel, and can be written into the scene
+constexpr std::size_t mostMaterials = 16;  // more are no panel, and can be written into the scene
 constexpr double largest = 1e36;
 
 // A control of a value that may be given to an object in place of its own, `now`.
@@ -61,7 +60,7 @@ Vector3 readDirection(const std::string& text) {
 }  // namespace
 
 void Session::addLightControls() {
-    for (std::size_t i = 0; i < std::min(lights_.size(), mostLights); ++i)
+    for (std::size_t i = 0; i < std::min(lights_.size(), mostControlledLights); ++i)
         addControlsOf(*lights_[i], static_cast<int>(i) + 1);
 }
 

@@ -74,10 +74,10 @@ THREE::Vector3 Session::placeInView() {
 }
 
 int Session::addLight(const std::string& kind) {
-    constexpr std::size_t most = 64;
-    if (lights_.size() >= most)
+    if (lights_.size() >= mostControlledLights)
         throw UsageError("light add: found " + std::to_string(lights_.size()) +
-                         " lights; expected fewer than " + std::to_string(most) + " to add one by hand");
+                         " lights; expected fewer than " + std::to_string(mostControlledLights) +
+                         " to add one by hand");
     std::unique_ptr<THREE::Light> made;
     if (kind == "directional")
         made = std::make_unique<THREE::DirectionalLight>(0xFFFFFF, 0.5);

@@ -14,6 +14,9 @@
 
 namespace lab {
 
+/// Of more lights than this, those that come later have no controls; nor can more be added by hand.
+inline constexpr std::size_t mostControlledLights = 256;
+
 /// What stands left of the divider; on its right is the picture as it is.
 enum class Split {
     off,

@@ -68,10 +68,13 @@ Widget action(const Session& session, const char* command, const Text& label) {
             .help = command};
 }
 
-// Lights have a group each, named as the scene names them; the chosen one is open.
+// Lights have a group each, named as the scene names them: the first ones, and the chosen one.
 std::vector<WidgetGroup> lightGroups(Session& session) {
     std::vector<WidgetGroup> out;
+    constexpr std::size_t shown = 16;
     for (std::size_t i = 0; i < session.lights().size(); ++i) {
+        if (i >= shown && static_cast<int>(i) + 1 != session.chosenLight)
+            continue;
         const std::string id = "light " + std::to_string(i + 1);
         const THREE::Light& light = *session.lights()[i];
         const std::string kind = dynamic_cast<const THREE::DirectionalLight*>(&light) != nullptr
