@@ -87,18 +87,19 @@ class Live final : public Host {
 
     bool moving() const { return session_.playing || gestures_.coasting(); }
 
-    // Time goes on.
+    // Time goes on, from where it was when things began to move.
     void step() {
         const Clock::time_point now = Clock::now();
-        const double passed = seconds(now - last_);
+        const double passed = moved_ ? seconds(now - last_) : 0;
         last_ = now;
         if (session_.playing)
-            session_.time += std::min(passed, 0.25);  // after a pause, time goes on from where it was
+            session_.time += passed;
         pictureChanged_ |= gestures_.coast(passed);
         const Screen::News news = screen_.news();
         pictureChanged_ |= moving() || news == Screen::News::picture;
         if (news == Screen::News::panel)
             panelChanged_ = std::max(panelChanged_, 1);
+        moved_ = moving();
     }
 
     // The lesson before runs inside of this one's loop, as its guest, for as long as it is shown.
@@ -133,7 +134,6 @@ class Live final : public Host {
             pictureChanged_ = true;
             return gestures_.moveCamera(event);
         case Event::Kind::release:
-            last_ = Clock::now();
             return gestures_.release();
         case Event::Kind::hover:
             mouse_ = PanelPoint{event.x, event.y};
@@ -319,7 +319,7 @@ class Live final : public Host {
     std::optional<PanelPoint> mouse_;
     bool pictureChanged_ = true;  // since the last draw
     int panelChanged_ = 2;
-    bool minimised_ = false, leave_ = false;
+    bool moved_ = false, minimised_ = false, leave_ = false;
     Clock::time_point last_ = Clock::now();
     std::optional<Clock::time_point> reloaded_;  // when shaders were, until they are seen
 };
