@@ -90,7 +90,8 @@ class Live final : public Host {
     // Time goes on, from where it was when things began to move.
     void step() {
         const Clock::time_point now = Clock::now();
-        const double passed = moved_ ? seconds(now - last_) : 0;
+        constexpr double most = 0.25;  // a window that was hidden goes on from where it was
+        const double passed = moved_ ? std::min(seconds(now - last_), most) : 0;
         last_ = now;
         if (session_.playing)
             session_.time += passed;
