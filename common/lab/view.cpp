@@ -86,10 +86,14 @@ View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animatio
         moveTo(*options.camera);
 }
 
-View::~View() {
+void View::putBack() {
     jitter_.undo();
     overrides.undo();
     restoreDecays();
+}
+
+View::~View() {
+    putBack();
     start_.putBack(camera_);
 }
 
@@ -138,9 +142,7 @@ void View::setJitter(std::optional<std::uint64_t> seed) {
 }
 
 void View::update(double time, int width, int height) {
-    jitter_.undo();
-    overrides.undo();
-    restoreDecays();
+    putBack();
     controls_.readings.clear();
     if (animation_)
         animation_(time);

@@ -30,6 +30,8 @@ class View {
     /// Moves everything to `time` (seconds) and to the sliders, takes the readings, fits the camera to the picture's size and checks the scene.
     /// Throws THREE::SceneError.
     void update(double time, int width, int height);
+    /// Takes back what update() put on lights and meshes, as before a light is destroyed; the next update puts it on again.
+    void putBack();
     /// The plan of what update() made, with these switches.
     lighting::FramePlan plan(const lighting::Switches& switches) const;
     /// What plan() plans with.

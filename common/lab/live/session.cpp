@@ -31,6 +31,8 @@ Session::Session(View& view, const Options& options)
     start_ = table.state();
 }
 
+Session::~Session() { view_.putBack(); }
+
 std::vector<THREE::Light*> Session::lightsOfScene() {
     std::vector<THREE::Light*> found;
     view_.scene().traverse([&found](THREE::Object3D& object) {
@@ -109,7 +111,7 @@ void Session::removeLight(int number) {
         throw UsageError("light " + std::to_string(number) +
                          " is the lesson's own: switch it off instead (light " + std::to_string(number) +
                          " on off)");
-    view_.overrides.undo();
+    view_.putBack();
     view_.overrides.lights.erase(mine->get());
     added_.erase(mine);
     only = 0;
@@ -126,7 +128,7 @@ void Session::setAddedKinds(const std::string& kinds) {
         begin = end + 1;
     }
     while (!added_.empty()) {
-        view_.overrides.undo();
+        view_.putBack();
         view_.overrides.lights.erase(added_.back().get());
         added_.pop_back();
     }

@@ -35,6 +35,7 @@ class Session {
   public:
     /// A session as the command line wants it. Throws UsageError where its --state cannot be had.
     Session(View& view, const Options& options);
+    ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
