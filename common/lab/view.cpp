@@ -87,13 +87,13 @@ View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animatio
 }
 
 View::~View() {
-    jitter_.undo();
-    overrides.undo();
-    restoreDecays();
+    putBack();
     start_.putBack(camera_);
 }
 
-void View::restoreDecays() {
+void View::putBack() {
+    jitter_.undo();
+    overrides.undo();
     for (const auto& [light, own] : ownDecays_)
         light->decay = own;
     ownDecays_.clear();
@@ -138,9 +138,7 @@ void View::setJitter(std::optional<std::uint64_t> seed) {
 }
 
 void View::update(double time, int width, int height) {
-    jitter_.undo();
-    overrides.undo();
-    restoreDecays();
+    putBack();
     controls_.readings.clear();
     if (animation_)
         animation_(time);

@@ -30,6 +30,8 @@ class View {
     /// Moves everything to `time` (seconds) and to the sliders, takes the readings, fits the camera to the picture's size and checks the scene.
     /// Throws THREE::SceneError.
     void update(double time, int width, int height);
+    /// Takes off what update() has put on the scene: jitter, overrides, `decay`. To be called before a light is taken out of it.
+    void putBack();
     /// The plan of what update() made, with these switches.
     lighting::FramePlan plan(const lighting::Switches& switches) const;
     /// What plan() plans with.
@@ -74,7 +76,6 @@ class View {
         THREE::Euler rotation;
         double fov, aspect;
     };
-    void restoreDecays();
     void moveTo(const CameraOption& wanted);
 
     THREE::Scene& scene_;

@@ -32,6 +32,7 @@ class Session {
   public:
     /// A session as the command line wants it. Throws UsageError where its --state cannot be had.
     Session(View& view, const Options& options);
+    ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
@@ -99,6 +100,7 @@ class Session {
     THREE::Vector3 placeInView();
     std::string addedKinds() const;
     void setAddedKinds(const std::string& kinds);
+    void removeAdded();
 
     View& view_;
     const Options& options_;
