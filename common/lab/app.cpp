@@ -36,18 +36,11 @@ void openFile(const Options& options, THREE::LoadedScene& loaded) {
         std::cerr << options.lesson << ": " << note << '\n';
 }
 
-// The camera of a scene file, or one that brings all of it into view. It is none of the file's own objects, and stands in
-// world space, so that it can be turned whatever the file's camera hangs on.
+// The camera of a scene file, or one that brings all of it into view.
 void aim(THREE::PerspectiveCamera& camera, const THREE::LoadedScene& loaded, const Options& options) {
     loaded.scene->updateMatrixWorld();
     if (loaded.camera != nullptr) {
-        camera.fov = loaded.camera->fov;
-        camera.near = loaded.camera->near;
-        camera.far = loaded.camera->far;
-        camera.zoom = loaded.camera->zoom;
-        camera.up = loaded.camera->up;
-        camera.applyMatrix4(loaded.camera->matrixWorld);
-        return;
+        return takeCamera(camera, *loaded.camera);
     }
     camera.aspect =
         options.width && options.height ? static_cast<double>(*options.width) / *options.height : 1;

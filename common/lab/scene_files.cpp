@@ -17,6 +17,24 @@ THREE::LoadedScene loadScene(const std::string& file) {
     return loaded;
 }
 
+void takeCamera(THREE::PerspectiveCamera& camera, const THREE::PerspectiveCamera& own) {
+    camera.fov = own.fov;
+    camera.near = own.near;
+    camera.far = own.far;
+    camera.zoom = own.zoom;
+    camera.up = own.up;
+    camera.applyMatrix4(own.matrixWorld);
+}
+
+void expectView(const THREE::LoadedScene& loaded) {
+    if (loaded.camera == nullptr)
+        return;
+    THREE::PerspectiveCamera camera(40);
+    takeCamera(camera, *loaded.camera);
+    camera.updateWorldMatrix();
+    THREE::validate(*loaded.scene, camera);
+}
+
 std::string folderOf(const std::string& file) {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     return folder.empty() ? "." : folder.string();

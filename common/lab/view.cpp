@@ -86,18 +86,14 @@ View::View(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animatio
         moveTo(*options.camera);
 }
 
-void View::putBack() {
-    jitter_.undo();
-    overrides.undo();
-    restoreDecays();
-}
-
 View::~View() {
     putBack();
     start_.putBack(camera_);
 }
 
-void View::restoreDecays() {
+void View::putBack() {
+    jitter_.undo();
+    overrides.undo();
     for (const auto& [light, own] : ownDecays_)
         light->decay = own;
     ownDecays_.clear();

@@ -30,7 +30,7 @@ class View {
     /// Moves everything to `time` (seconds) and to the sliders, takes the readings, fits the camera to the picture's size and checks the scene.
     /// Throws THREE::SceneError.
     void update(double time, int width, int height);
-    /// Takes back what update() put on lights and meshes, as before a light is destroyed; the next update puts it on again.
+    /// Takes off what update() has put on the scene: jitter, overrides, `decay`. To be called before a light is taken out of it.
     void putBack();
     /// The plan of what update() made, with these switches.
     lighting::FramePlan plan(const lighting::Switches& switches) const;
@@ -76,7 +76,6 @@ class View {
         THREE::Euler rotation;
         double fov, aspect;
     };
-    void restoreDecays();
     void moveTo(const CameraOption& wanted);
 
     THREE::Scene& scene_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "lab/failure.hpp"
 #include "lab/live/commands.hpp"
 #include "lab/live/probe_text.hpp"
 #include "lab/live/values.hpp"
@@ -17,6 +18,7 @@ class FakeHost final : public lab::Host {
   public:
     std::vector<std::string> asked;
     lab::Session* session = nullptr;
+    bool isFirst = false;  // of the lessons
 
     void shot(const std::string& file, int width, int height) override {
         asked.push_back("shot " + file + " " + std::to_string(width) + "x" + std::to_string(height));
@@ -29,6 +31,10 @@ class FakeHost final : public lab::Host {
     void fullscreen() override { asked.emplace_back("fullscreen"); }
     void goTo(const std::string& program, const std::vector<std::string>& arguments) override {
         asked.push_back("go " + program + (arguments.empty() ? "" : " " + arguments[0]));
+    }
+    void expectLessonBefore() override {
+        if (isFirst)
+            throw lab::UsageError("there is none");
     }
     void leave() override { asked.emplace_back("leave"); }
 };

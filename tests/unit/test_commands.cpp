@@ -5,6 +5,7 @@
 #include "support/desk.hpp"
 
 #include <gtest/gtest.h>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -136,6 +137,71 @@ TEST(Commands, LightsCanBeAddedAndTakenOut) {
     EXPECT_EQ(desk.session->lights().size(), 3U);
 }
 
+TEST(Commands, WrongKindsOfLightsLeaveThoseThatAreThere) {
+    Desk desk;
+    desk.begin();
+    for (const char* line : {"light add point", "light 4 color red", "light add directional", "only light 5"})
+        ASSERT_EQ(desk.say(line).substr(0, 3), "ok ") << line;
+    const lab::State before = desk.session->state();
+    std::string many = "point";
+    for (int i = 0; i < 61; ++i)
+        many += ",ambient";
+    for (const std::string& kinds :
+         {std::string("lamp"), std::string("point,lamp"), std::string("point,"), many}) {
+        EXPECT_EQ(desk.say("added lights " + kinds).substr(0, 5), "error") << kinds;
+        EXPECT_EQ(desk.session->state(), before) << kinds;
+    }
+    EXPECT_EQ(desk.say("chosen light"), "ok chosen light 5");
+}
+
+// With the sanitizers: what update() put on a light is taken off before the light goes.
+TEST(Commands, LightsGoWhateverWasGivenToThem) {
+    Desk desk;
+    desk.begin();
+    for (const char* line :
+         {"decay 2", "jitter 3", "light add point", "light 4 position 1,2,3", "light 4 decay 1",
+          "light 4 remove", "light add point", "undo", "light add point"})
+        ASSERT_EQ(desk.say(line).substr(0, 3), "ok ") << line;
+    desk.commands.reset();
+    desk.session.reset();
+    EXPECT_EQ(desk.scene.children().size(), 4U);
+    desk.view.reset();
+    EXPECT_EQ(desk.bulb.decay, 0);
+}
+
+TEST(Commands, OneOfManyLightsCanShineAlone) {
+    Desk desk;
+    std::vector<std::unique_ptr<THREE::PointLight>> lamps;
+    for (int i = 0; i < 97; ++i)
+        desk.scene.add(*lamps.emplace_back(std::make_unique<THREE::PointLight>()));
+    desk.begin();
+    EXPECT_EQ(desk.say("only 100"), "ok only light 100");
+    EXPECT_EQ(desk.say("only light"), "ok only light 100");
+    EXPECT_EQ(desk.session->state().at("only light"), "100");
+    EXPECT_EQ(desk.say("only light 99"), "ok only light 99");
+    EXPECT_EQ(desk.say("only 101").substr(0, 5), "error");
+}
+
+TEST(Commands, NothingIsShownBesideTheFirstLesson) {
+    Desk desk;
+    desk.host.isFirst = true;
+    desk.begin();
+    EXPECT_EQ(desk.say("split lesson"), "error split: there is none");
+    EXPECT_EQ(desk.say("split"), "ok split off");
+    EXPECT_EQ(desk.say("split next"), "ok split term");
+    EXPECT_EQ(desk.say("split next").substr(0, 5), "error");
+    EXPECT_EQ(desk.say("split"), "ok split off") << "the key goes on";
+}
+
+// The mouse moves the camera by no command; the window's next draw mends it.
+TEST(Commands, AreAnsweredWhereNothingCanBeDrawn) {
+    Desk desk;
+    desk.begin();
+    desk.view->orbit().place({1e36, 0, 0}, {0, 0, 0});
+    EXPECT_EQ(desk.commands->run("term ambient off").substr(0, 5), "error");
+    EXPECT_EQ(desk.commands->run("camera reset").substr(0, 22), "ok camera 2.2,2.7,6.4,");
+}
+
 TEST(Commands, UndoAndRedoGoThroughAllThatWasMoved) {
     Desk desk;
     desk.begin();
@@ -203,12 +269,17 @@ TEST(Commands, AskTheHostForTheRest) {
         << "a program that is none of the lessons stands before the first";
     EXPECT_EQ(desk.say("previous").substr(0, 5), "error");
     EXPECT_EQ(desk.say("open a.json"), "ok open a.json");
+    EXPECT_EQ(desk.say("open -a.json"), "ok open -a.json");
     EXPECT_EQ(desk.say("cost"), "ok cost 1 ms");
     EXPECT_EQ(desk.say("places"), "ok places symbol term ambient 1 2;widget term ambient 3 4;");
     EXPECT_EQ(desk.say("quit"), "ok quit");
-    const std::vector<std::string> expected{"shot x.png 0x0",           "shot two words.png 64x48",
-                                            "go lesson_03_point_light", "go lesson_00_scene",
-                                            "go scene_viewer a.json",   "leave"};
+    const std::vector<std::string> expected{"shot x.png 0x0",
+                                            "shot two words.png 64x48",
+                                            "go lesson_03_point_light",
+                                            "go lesson_00_scene",
+                                            "go scene_viewer a.json",
+                                            "go scene_viewer ./-a.json",
+                                            "leave"};
     EXPECT_EQ(desk.host.asked, expected);
 }
 

@@ -192,7 +192,7 @@ std::string Commands::lesson(Words words) {
 
 std::string Commands::open(Words words) {
     const std::string& file = expectOne(words, "the name of a scene file");
-    host_.goTo("scene_viewer", {file});
+    host_.goTo("scene_viewer", {(file.starts_with('-') ? "./" : "") + file});  // no option
     return "ok open " + file;
 }
 

@@ -78,7 +78,10 @@ std::string Commands::run(const std::string& line, Said said) {
         return answer;
     } catch (const THREE::SceneError& error) {  // such a scene cannot be drawn: back to the one before
         session_.apply(before);
-        session_.updateNow();
+        try {
+            session_.updateNow();
+        } catch (const THREE::SceneError&) {  // the mouse had brought it there: the next draw mends it
+        }
         return "error " + oneLine(error.what());
     } catch (const std::exception& error) {
         return "error " + oneLine(error.what());
@@ -96,6 +99,18 @@ std::string Commands::dispatch(const std::vector<std::string>& words) {
                 throw UsageError(words[0] + ": " + error.what());
             }
     throw UsageError("unknown command '" + joined(words) + "'; help and controls list what there is");
+}
+
+// Off where there is no lesson before: so that the key goes on through the other splits.
+void Commands::expectSplit() {
+    if (session_.split != Split::lesson)
+        return;
+    try {
+        host_.expectLessonBefore();
+    } catch (const UsageError& error) {
+        session_.split = Split::off;
+        throw UsageError(std::string("split: ") + error.what());
+    }
 }
 
 // A control's name, then nothing (what is it?), or a value. Among names that fit, the longest is meant; of a light that is all there is
@@ -121,6 +136,8 @@ std::optional<std::string> Commands::control(Words words) {
                 for (const lighting::TermInfo& row : lighting::terms())
                     if (full == std::string("term ") + row.name)
                         session_.lastTerm = row.term;
+            if (full == "split")
+                expectSplit();
             session_.updateNow();  // so that what is told is what the scene has
         }
         found = session_.table.find(full);

@@ -30,6 +30,8 @@ class Host {
     virtual void fullscreen() = 0;
     /// Goes on with another program once the present command is answered.
     virtual void goTo(const std::string& program, const std::vector<std::string>& arguments) = 0;
+    /// Throws UsageError where there is no lesson before this one, to be shown beside it.
+    virtual void expectLessonBefore() = 0;
     virtual void leave() = 0;
 };
 
@@ -67,6 +69,7 @@ class Commands {
 
     std::string dispatch(const std::vector<std::string>& words);
     std::optional<std::string> control(Words words);
+    void expectSplit();
     std::string withSlider(Words words);
     std::string withLight(Words words);
     std::string withTerms(Words words);

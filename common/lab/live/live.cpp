@@ -47,7 +47,8 @@ class Live final : public Host {
 
     void run() {
         pending_ = std::exchange(handover_.pending, {});
-        loop(nullptr);
+        for (loop(nullptr); !leave_; loop(nullptr))
+            showLessonBefore();
         handover_.pending = std::move(pending_);
     }
 
@@ -68,8 +69,6 @@ class Live final : public Host {
             step();
         }
         before_ = nullptr;
-        if (!leave_ && before == nullptr)
-            showLessonBefore();
     }
 
     bool goesOn(const View* before) const {
@@ -115,7 +114,6 @@ class Live final : public Host {
             session_.split = Split::off;
         }
         pictureChanged_ = true;
-        loop(nullptr);
     }
 
     // ---- what happens
@@ -163,22 +161,29 @@ class Live final : public Host {
     void say(const std::string& command, Said said) {
         if (command.empty())
             return;
-        const std::string answered = commands_.run(command, said);
+        const std::string answered = run(command, said);
         answer(answered);
         std::cout << (answered.starts_with("probe") ? answered : answered.substr(answered.find(' ') + 1))
                   << std::endl;
-        pictureChanged_ = true;
         if (command.starts_with("term"))
             std::cout << equationText(session_.switches.terms, facts_.drawn.shiny) << std::endl;
     }
 
     void line(const std::string& text) {
-        const std::string answered = commands_.run(text);
+        const std::string answered = run(text, {});
         if (answered.empty())
             return;
         std::cout << answered << std::endl;
         answer(answered);
-        pictureChanged_ = true;
+    }
+
+    // A question, the theme or the list of keys change no picture: a reference that is being evaluated goes on. But a state is told without
+    // the jitter, which the next update puts on again.
+    std::string run(const std::string& command, Said said) {
+        const State before = session_.state();
+        std::string answered = commands_.run(command, said);
+        pictureChanged_ |= session_.state() != before || session_.view().jitter();
+        return answered;
     }
 
     // On the panel "ok" goes without saying, and long answers are for stdout.
@@ -251,15 +256,20 @@ class Live final : public Host {
                 std::string(report ? "the background" : "none; move the mouse there, or say where"));
         session_.pin = report->point;
     }
-    std::string lightCost() override { return screen_.lightCost(session_); }
+    std::string lightCost() override {
+        pictureChanged_ = true;
+        return screen_.lightCost(session_);
+    }
     std::string places() override {
         draw();
         return window_.places();
     }
     void fullscreen() override { window_.toggleFullscreen(); }
     void goTo(const std::string& program, const std::vector<std::string>& arguments) override {
+        // What is wrong is told here, and this picture stays.
+        expectProgram(program);
         if (!arguments.empty())
-            loadScene(arguments[0]);  // what is wrong with it is told here, and this picture stays
+            expectView(loadScene(arguments[0]));
         handover_.program = program;
         handover_.arguments = arguments;
         const auto keep = [this](const std::string& option, const std::string& value) {
@@ -272,6 +282,7 @@ class Live final : public Host {
             keep("--shaders", options_.shaders);
         leave_ = true;
     }
+    void expectLessonBefore() override { expectProgram(neighbour(options_.lesson, -1)); }
     void leave() override { leave_ = true; }
 
     // ---- drawing

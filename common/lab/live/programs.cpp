@@ -63,13 +63,24 @@ std::string slidesOf(const std::string& program) {
     return {};
 }
 
-int runProgram(const std::string& program, const std::vector<std::string>& arguments, Handover& handover) {
-    using Main = int (*)(int, char**);
+namespace {
+
+void* entryOf(const std::string& program, const char* name) {
     std::string reason;
-    void* const channel = image::loadModule(program + ".so", "lambertHandover", reason);
-    void* const entry = channel == nullptr ? nullptr : image::loadModule(program + ".so", "main", reason);
+    void* const entry = image::loadModule(program + ".so", name, reason);
     if (entry == nullptr)
         throw UsageError("cannot go on with " + program + ": " + reason + "; build it: cmake --build build");
+    return entry;
+}
+
+}  // namespace
+
+void expectProgram(const std::string& program) { entryOf(program, "main"); }
+
+int runProgram(const std::string& program, const std::vector<std::string>& arguments, Handover& handover) {
+    using Main = int (*)(int, char**);
+    void* const channel = entryOf(program, "lambertHandover");
+    void* const entry = entryOf(program, "main");
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;

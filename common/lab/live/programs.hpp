@@ -34,6 +34,8 @@ std::string programNamed(const std::string& wanted);
 /// The slides of a lesson, as its header says them: "38-39"; empty where the lab has no such source.
 std::string slidesOf(const std::string& program);
 
+/// Throws UsageError if a lesson's module is not there.
+void expectProgram(const std::string& program);
 /// Runs a lesson's `main` in this process. Throws UsageError if its module is not there.
 int runProgram(const std::string& program, const std::vector<std::string>& arguments, Handover& handover);
 

@@ -9,8 +9,10 @@
 #include "lab/live/picture.hpp"
 #include "render/error.hpp"
 #include "render/shader_source.hpp"
+#include "three/validate.hpp"
 
 #include <filesystem>
+#include <utility>
 
 namespace lab {
 
@@ -46,7 +48,7 @@ bool Screen::draw(Session& session, View* before, bool changed) {
         width_ = width;
         height_ = height;
         prepared_ = 0;
-        session.update(width, height);
+        bringUp(session);
         follow(session, before, width, height);
         const std::vector<Side> sides = session.sides(width, before);
         drawByDriver(sides);
@@ -64,6 +66,21 @@ bool Screen::draw(Session& session, View* before, bool changed) {
     takeReference();
     gl_.showPicture();
     return true;
+}
+
+// Where nothing can be drawn any more, as by a camera that was dragged too far, everything is again as it was drawn last.
+void Screen::bringUp(Session& session) {
+    State now = session.state();
+    try {
+        session.update(width_, height_);
+        drawnState_ = std::move(now);
+    } catch (const THREE::SceneError&) {
+        if (!drawnState_)
+            throw;
+        session.playing = false;
+        session.apply(*drawnState_);
+        session.update(width_, height_);
+    }
 }
 
 void Screen::drawByDriver(std::span<const Side> sides) {

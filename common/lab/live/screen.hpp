@@ -55,6 +55,7 @@ class Screen {
     std::optional<PanelLegend> legend(const Session& session) const;
 
   private:
+    void bringUp(Session& session);
     void drawByDriver(std::span<const Side> sides);
     void askReference();
     void takeReference();
@@ -67,6 +68,7 @@ class Screen {
     render::GlRenderer gl_;
     render::ReferenceRenderer reference_;
     render::FrameStats drawn_;
+    std::optional<State> drawnState_;  // of the last picture
     std::optional<std::string> problem_;
     int width_ = 0, height_ = 0;  // of the picture
     bool waiting_ = false;  // for programs

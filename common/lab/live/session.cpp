@@ -31,7 +31,7 @@ Session::Session(View& view, const Options& options)
     start_ = table.state();
 }
 
-Session::~Session() { view_.putBack(); }
+Session::~Session() { removeAdded(); }
 
 std::vector<THREE::Light*> Session::lightsOfScene() {
     std::vector<THREE::Light*> found;
@@ -75,20 +75,30 @@ THREE::Vector3 Session::placeInView() {
         .add(axis(2).multiplyScalar(0.25 * orbit.distance()));
 }
 
-int Session::addLight(const std::string& kind) {
-    if (lights_.size() >= mostControlledLights)
-        throw UsageError("light add: found " + std::to_string(lights_.size()) +
-                         " lights; expected fewer than " + std::to_string(mostControlledLights) +
-                         " to add one by hand");
-    std::unique_ptr<THREE::Light> made;
+namespace {
+
+void expectRoom(std::size_t lights) {
+    constexpr std::size_t most = mostControlledLights;
+    if (lights >= most)
+        throw UsageError("light add: found " + std::to_string(lights) + " lights; expected fewer than " +
+                         std::to_string(most) + " to add one by hand");
+}
+
+std::unique_ptr<THREE::Light> lightOfKind(const std::string& kind) {
     if (kind == "directional")
-        made = std::make_unique<THREE::DirectionalLight>(0xFFFFFF, 0.5);
-    else if (kind == "point")
-        made = std::make_unique<THREE::PointLight>(0xFFFFFF, 0.5);
-    else if (kind == "ambient")
-        made = std::make_unique<THREE::AmbientLight>(0x202020);
-    else
-        throw UsageError("light add: expected directional, point or ambient, found '" + kind + "'");
+        return std::make_unique<THREE::DirectionalLight>(0xFFFFFF, 0.5);
+    if (kind == "point")
+        return std::make_unique<THREE::PointLight>(0xFFFFFF, 0.5);
+    if (kind == "ambient")
+        return std::make_unique<THREE::AmbientLight>(0x202020);
+    throw UsageError("light add: expected directional, point or ambient, found '" + kind + "'");
+}
+
+}  // namespace
+
+int Session::addLight(const std::string& kind) {
+    expectRoom(lights_.size());
+    std::unique_ptr<THREE::Light> made = lightOfKind(kind);
     if (kind == "directional")
         made->position.set(1, 2, 2);
     view_.scene().add(*made);
@@ -119,19 +129,25 @@ void Session::removeLight(int number) {
     chosenLight = std::clamp(chosenLight, 1, std::max(1, static_cast<int>(lights_.size())));
 }
 
-// From the first one that is another kind on, they are made anew.
+void Session::removeAdded() {
+    view_.putBack();  // which would write into lights that are gone
+    for (const auto& light : added_)
+        view_.overrides.lights.erase(light.get());
+    while (!added_.empty())
+        added_.pop_back();
+}
+
+// All are made anew, once it is known that all can be: else what is there stays.
 void Session::setAddedKinds(const std::string& kinds) {
     std::vector<std::string> wanted;
     for (std::size_t begin = 0; kinds != "none" && begin <= kinds.size();) {
         const std::size_t end = std::min(kinds.find(',', begin), kinds.size());
         wanted.push_back(kinds.substr(begin, end - begin));
+        lightOfKind(wanted.back());
+        expectRoom(lights_.size() - added_.size() + wanted.size() - 1);
         begin = end + 1;
     }
-    while (!added_.empty()) {
-        view_.putBack();
-        view_.overrides.lights.erase(added_.back().get());
-        added_.pop_back();
-    }
+    removeAdded();
     makeTable();
     const int chosen = chosenLight;
     for (const std::string& kind : wanted)

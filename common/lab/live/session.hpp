@@ -105,6 +105,7 @@ class Session {
     THREE::Vector3 placeInView();
     std::string addedKinds() const;
     void setAddedKinds(const std::string& kinds);
+    void removeAdded();
 
     View& view_;
     const Options& options_;

@@ -130,7 +130,7 @@ void Session::addPictureControls() {
         [this] { return static_cast<int>(mode); },
         [this](int i) { mode = static_cast<lighting::ViewMode>(i); }, 0);
     std::vector<ControlChoice> which{{"all", {"tutte le luci", "all lights"}}};
-    for (std::size_t i = 1; i <= std::min(lights_.size(), mostControlledLights); ++i)
+    for (std::size_t i = 1; i <= lights_.size(); ++i)
         which.push_back({std::to_string(i), {}});
     table.addChoice(
         "only light", "picture", {"una luce da sola", "one light alone"}, std::move(which),
