@@ -144,7 +144,7 @@ TEST(Commands, WrongKindsOfLightsLeaveThoseThatAreThere) {
         ASSERT_EQ(desk.say(line).substr(0, 3), "ok ") << line;
     const lab::State before = desk.session->state();
     std::string many = "point";
-    for (int i = 0; i < 61; ++i)
+    for (std::size_t i = 0; i < lab::mostControlledLights; ++i)
         many += ",ambient";
     for (const std::string& kinds :
          {std::string("lamp"), std::string("point,lamp"), std::string("point,"), many}) {
