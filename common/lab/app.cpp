@@ -12,6 +12,7 @@
 #include "lab/window.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -56,6 +57,7 @@ void showOne(View& view, Options& options, Renderers& renderers, Phases& phases,
         if (handover.window == nullptr)
             handover.window =
                 openWindow(options.width.value_or(960), options.height.value_or(600), options.lesson, reason);
+        std::signal(SIGPIPE, SIG_IGN);  // the lecture goes on when whoever read the answers has gone
         if (handover.window != nullptr)
             return runLive(view, options, handover);
         options.frame = options.lesson + ".png";

@@ -28,6 +28,16 @@ std::size_t indexOf(const std::vector<ControlChoice>& choices, const std::string
     throw UsageError("expected one of " + names + "; found '" + name + "'");
 }
 
+// What `work` gives; what it refuses is said with the control's name.
+template <class Work>
+auto named(const Control& control, const Work& work) {
+    try {
+        return work();
+    } catch (const UsageError& error) {
+        throw UsageError(control.name + ": " + error.what());
+    }
+}
+
 }  // namespace
 
 std::string Control::next(int steps) const {
@@ -95,19 +105,20 @@ Control* ControlTable::find(std::string_view name) {
     return found == controls_.end() ? nullptr : &*found;
 }
 
-void ControlTable::set(Control& control, const std::string& value) {
-    const Control now = control;  // setting it may make the table anew
-    const std::string& name = now.name;
-    try {
-        if (value == "reset")
-            now.reset();
-        else
-            now.set(value == "toggle" || value == "next" ? now.next()
+void ControlTable::give(const Control& control, const std::string& value) {
+    const Control now = control;  // giving it a value may make the table anew
+    named(now, [&] { now.set(value); });
+}
+
+void ControlTable::set(const Control& control, const std::string& value) {
+    const Control now = control;
+    if (value == "reset")
+        return now.reset();
+    give(now, named(now, [&] {
+             return value == "toggle" || value == "next" ? now.next()
                     : value == "previous"                ? now.next(-1)
-                                                         : value);
-    } catch (const UsageError& error) {
-        throw UsageError(name + ": " + error.what());
-    }
+                                                         : value;
+         }));
 }
 
 State ControlTable::state() const {
@@ -126,7 +137,7 @@ void ControlTable::apply(const State& wanted, const std::function<void()>& chang
             continue;
         const auto value = wanted.find(control.name);
         if (value != wanted.end() && control.get() != value->second)
-            set(control, value->second);
+            give(control, value->second);
         else if (value == wanted.end() && control.moved())
             set(control, "reset");
         else

@@ -64,9 +64,11 @@ class ControlTable {
     const std::deque<Control>& all() const { return controls_; }
     /// The control of that name, or null.
     Control* find(std::string_view name);
-    /// Sets a control to the text; "toggle", "next", "previous" and "reset" are understood as well. Throws UsageError with the
+    /// Gives a control a value, as a state file does. Throws UsageError with the control's name before what was expected and found.
+    void give(const Control& control, const std::string& value);
+    /// Sets a control to the text, as a command does; "toggle", "next", "previous" and "reset" are understood as well. Throws UsageError with the
     /// control's name before what was expected and found.
-    void set(Control& control, const std::string& value);
+    void set(const Control& control, const std::string& value);
 
     /// What is not the program's own now.
     State state() const;

@@ -186,12 +186,12 @@ class Live final : public Host {
         return answered;
     }
 
-    // On the panel "ok" goes without saying, and long answers are for stdout.
+    // On the panel "ok" goes without saying; the probe has a place of its own, and long answers are for stdout.
     void answer(const std::string& text) {
-        constexpr std::size_t longest = 200;
+        constexpr std::size_t longest = 80;
         const bool wrong = text.starts_with("error");
         facts_.message = {text.starts_with("ok ") ? text.substr(3) : text, wrong ? Tone::wrong : Tone::title};
-        if (facts_.message.text.size() > longest || text.starts_with("probe"))
+        if (!wrong && (text.size() > longest || text.starts_with("probe") || text.starts_with("ok state")))
             facts_.message.text.clear();
         facts_.chosenSlider = commands_.chosenSlider();
     }

@@ -13,6 +13,7 @@
 #include "three/validate.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace lab {
@@ -28,8 +29,9 @@ class Builder {
     Panel build() {
         panel_.style = {static_cast<int>(session_.fontSize), session_.lightTheme};
         addEquation();
-        if (!facts_.message.text.empty())
-            panel_.message.push_back({facts_.message});
+        std::istringstream lines(facts_.message.text);  // a shader's error comes with its excerpt
+        for (std::string line; std::getline(lines, line);)
+            panel_.message.push_back({{line, facts_.message.tone}});
         addProbe();
         // In a narrow window the probe's numbers take the place of the controls, where they do not hide the point.
         const bool instead = facts_.probe && isNarrow();

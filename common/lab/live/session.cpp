@@ -23,7 +23,7 @@ Session::Session(View& view, const Options& options)
                 throw UsageError(options.state + ": controls: unknown control '" + name + "'; " +
                                  options.lesson + " has no such thing to set");
             try {
-                table.set(*control, value);
+                table.give(*control, value);
             } catch (const UsageError& error) {
                 throw UsageError(options.state + ": controls: " + error.what());
             }
