@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <sys/resource.h>
 #include <utility>
 
 namespace render {
 
 namespace {
+
+constexpr int politeness = 10;  // nice: drawing goes first where there are not cores enough for both
+
 
 constexpr std::size_t mostAhead = 64;  // that wait; more would be compiled long after anybody wants them
 
@@ -189,6 +193,7 @@ CompileAside::Done CompileAside::work(const Task& task, const Canvas* canvas) {
 }
 
 void CompileAside::run() {
+    setpriority(PRIO_PROCESS, 0, politeness);  // Linux: of this thread
     const bool current = context_.makeCurrent();
     {
         std::optional<Canvas> canvas;
