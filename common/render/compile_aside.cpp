@@ -17,7 +17,6 @@ namespace {
 
 constexpr int politeness = 10;  // nice: drawing goes first where there are not cores enough for both
 
-
 constexpr std::size_t mostAhead = 64;  // that wait; more would be compiled long after anybody wants them
 
 // Mesa writes its shader cache on a thread that has the lowest priority, and tells nobody when it has. A picture that waits had rather

@@ -72,10 +72,10 @@ TEST(SlidesRefsCommands, ViewsAreKnownOptions) {
 
 TEST(SlidesRefsCommands, OptionsThatShowTheEquationLeadBackToASlide) {
     // These say where a picture goes, how large it is, or how it is made: no slide speaks of that.
-    const std::set<std::string> technical{
-        "--version", "--light-cut", "--help",        "--frame",   "--shaders",  "--size",       "--jitter",
-        "--frames",  "--lang",      "--frames-from", "--no-skip", "--renderer", "--dump-shader",
-        "--state",   "--presenter", "--theme"};
+    const std::set<std::string> technical{"--version",     "--light-cut",   "--help",      "--frame",
+                                          "--shaders",     "--size",        "--jitter",    "--frames",
+                                          "--lang",        "--frames-from", "--no-skip",   "--renderer",
+                                          "--dump-shader", "--state",       "--presenter", "--theme"};
     std::set<std::string> named;
     for (const json& slide : refs().at("slides")) {
         for (const json& view : slide.at("views")) {

@@ -127,8 +127,8 @@ TEST(SlidesRefsWays, EveryKeyOfTheWindowThatShowsTheEquationIsNamed) {
             }
         }
     }
-    const std::set<std::string> expected{"1", "2", "3", "4", "5", "6", "7", "8",
-                                         "9", "G", "X", "N", "B", "K", "C", "Tab", "P", "I", "H", "O", "/"};
+    const std::set<std::string> expected{"1", "2", "3", "4", "5",   "6", "7", "8", "9", "G", "X",
+                                         "N", "B", "K", "C", "Tab", "P", "I", "H", "O", "/"};
     EXPECT_EQ(named, expected);
 }
 
