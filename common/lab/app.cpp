@@ -57,9 +57,10 @@ void showOne(View& view, Options& options, Renderers& renderers, Phases& phases,
         if (handover.window == nullptr)
             handover.window =
                 openWindow(options.width.value_or(960), options.height.value_or(600), options.lesson, reason);
-        std::signal(SIGPIPE, SIG_IGN);  // the lecture goes on when whoever read the answers has gone
-        if (handover.window != nullptr)
+        if (handover.window != nullptr) {
+            std::signal(SIGPIPE, SIG_IGN);  // the lecture goes on when whoever read the answers has gone
             return runLive(view, options, handover);
+        }
         options.frame = options.lesson + ".png";
         std::cout << options.lesson << say({": nessuno schermo (", ": no display ("}, options.language)
                   << reason << say({"), scrivo l'immagine ", "), writing the frame "}, options.language)
@@ -118,7 +119,7 @@ int App::present(const WithView& withView) {
         }
         if (const std::string wrong = controls_.set(options_.set); !wrong.empty())
             throw UsageError(wrong);
-        takeSize();
+        takeStateSize(options_);
         withView(options_, [&](View& view) { showOne(view, options_, renderers, phases_, handover); });
     });
     if (!failure && first == nullptr)
@@ -132,15 +133,6 @@ int App::present(const WithView& withView) {
         status = cannotWrite;
     std::fflush(nullptr);
     std::_Exit(status);
-}
-
-// A saved state's picture is as large as it was, unless --size says otherwise.
-void App::takeSize() {
-    if (options_.state.empty() || options_.width)
-        return;
-    const SavedState state = readState(options_.state, options_.lesson);
-    options_.width = state.width;
-    options_.height = state.height;
 }
 
 int App::run(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const Animation& animation) {

@@ -45,7 +45,6 @@ class App {
 
   private:
     int present(const WithView& withView);
-    void takeSize();
 
     Phases phases_;
     Options options_;

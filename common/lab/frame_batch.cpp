@@ -3,6 +3,7 @@
 #include "lab/frame_batch.hpp"
 
 #include "lab/frame_lines.hpp"
+#include "lab/live/state_file.hpp"
 #include "lab/progress.hpp"
 #include "lab/stats.hpp"
 #include "lab/stills.hpp"
@@ -56,8 +57,10 @@ Status drawFrames(const Options& commandLine, Controls& controls, const WithView
         const std::optional<Failure> failure = attempt([&] {
             options = optionsOf(line, lines.isTooLong(), commandLine);
             phases.mark("options");
-            if (options)
-                drawOne(*options, controls, withView, renderers, phases);
+            if (!options)
+                return;
+            takeStateSize(*options);
+            drawOne(*options, controls, withView, renderers, phases);
         });
         if (failure) {
             progress.clear();

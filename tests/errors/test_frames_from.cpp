@@ -213,6 +213,30 @@ TEST(FramesFrom, TakesAnyFile) {
     EXPECT_EQ(directory.contents(), (Arguments{"a b.png", "c.png", "frames.txt"}));
 }
 
+TEST(FramesFrom, AStateInALineKnowsItsSizeAsAlone) {
+    const TemporaryDirectory directory;
+    support::writeFile(directory.file("state.json"),
+                       R"({"lambert_lab": 1, "program": "lesson_04_ambient", "size": [80, 50],
+                           "controls": {"term ambient": "off", "light add": "x"}})");
+    support::writeFile(directory.file("frames.txt"), "--state state.json --frame wrong.png\n");
+    EXPECT_EQ(support::run({lesson, "--frames-from", "frames.txt"}, directory.path()).status, 2)
+        << "there is no such control";
+    support::writeFile(directory.file("state.json"),
+                       R"({"lambert_lab": 1, "program": "lesson_04_ambient", "size": [80, 50],
+                           "controls": {"term ambient": "off", "added lights": "point", "view": "red"}})");
+    support::writeFile(directory.file("frames.txt"),
+                       "--frame before.png --size 80x50\n--state state.json --frame line.png\n"
+                       "--frame after.png --size 80x50\n");
+    const Outcome outcome = support::run({lesson, "--frames-from", "frames.txt"}, directory.path());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(
+        support::run({lesson, "--state", "state.json", "--frame", "alone.png"}, directory.path()).status, 0);
+    const auto bytes = [&directory](const char* file) { return support::readFile(directory.file(file)); };
+    EXPECT_EQ(bytes("line.png"), bytes("alone.png"));
+    EXPECT_NE(bytes("line.png"), bytes("before.png"));
+    EXPECT_EQ(bytes("after.png"), bytes("before.png")) << "the state leaves no trace";
+}
+
 TEST(FramesFrom, TellsEachFrameAndSendsNothingTwice) {
     const TemporaryDirectory directory;
     const Outcome outcome =

@@ -90,6 +90,14 @@ SavedState readState(const std::string& file, const std::string& program) {
     return state;
 }
 
+void takeStateSize(Options& options) {
+    if (options.state.empty() || options.width)
+        return;
+    const SavedState state = readState(options.state, options.lesson);
+    options.width = state.width;
+    options.height = state.height;
+}
+
 std::string freeName(const std::string& base, const std::vector<std::string>& extensions) {
     const auto taken = [&extensions](const std::string& name) {
         return std::any_of(extensions.begin(), extensions.end(), [&name](const std::string& extension) {

@@ -22,6 +22,9 @@ std::string stateText(const SavedState& state, bool oneLine);
 /// Reads a state file of `program`. Throws UsageError that names file, field, what was expected and found.
 SavedState readState(const std::string& file, const std::string& program);
 
+/// Where --state is given and --size is not: the picture is as large as the saved one. Throws as readState does.
+void takeStateSize(Options& options);
+
 /// `base` + `extension`, or with the first number that is free for all of the extensions: no file is ever written over.
 std::string freeName(const std::string& base, const std::vector<std::string>& extensions);
 
