@@ -71,7 +71,6 @@ std::string Commands::run(const std::string& line, Said said) {
         if (words.empty())
             return {};
         const std::string answer = dispatch(words);
-        session_.updateNow();
         const bool history = words[0] == "undo" || words[0] == "redo";
         if (!history)
             changed(before, said.byHand ? joined(std::span(words).first(words.size() - 1)) : "");
@@ -92,12 +91,15 @@ std::string Commands::dispatch(const std::vector<std::string>& words) {
     if (std::optional<std::string> answer = control(words))
         return *answer;
     for (const Action& action : actions())
-        if (words[0] == action.name)
+        if (words[0] == action.name) {
             try {
-                return (this->*action.run)(Words(words).subspan(1));
+                std::string answer = (this->*action.run)(Words(words).subspan(1));
+                session_.updateNow();
+                return answer;
             } catch (const UsageError& error) {
                 throw UsageError(words[0] + ": " + error.what());
             }
+        }
     throw UsageError("unknown command '" + joined(words) + "'; help and controls list what there is");
 }
 
@@ -132,10 +134,9 @@ std::optional<std::string> Commands::control(Words words) {
             const bool steps = rest[0] == "up" || rest[0] == "down";
             const int by = rest.size() == 2 ? static_cast<int>(readNumber(rest[1], 1, 1000)) : 1;
             session_.table.set(*found, steps ? found->next(rest[0] == "up" ? by : -by) : rest[0]);
-            if (full.starts_with("term "))
-                for (const lighting::TermInfo& row : lighting::terms())
-                    if (full == std::string("term ") + row.name)
-                        session_.lastTerm = row.term;
+            constexpr std::string_view term = "term ";
+            if (full.starts_with(term))
+                session_.table.give(*session_.table.find("last term"), full.substr(term.size()));
             if (full == "split")
                 expectSplit();
             session_.updateNow();  // so that what is told is what the scene has

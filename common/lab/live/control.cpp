@@ -129,7 +129,7 @@ State ControlTable::state() const {
     return state;
 }
 
-void ControlTable::apply(const State& wanted, const std::function<void()>& changed) {
+void ControlTable::apply(const State& wanted) {
     // By number: a control that brings others with it makes the table anew, and stands before them.
     for (std::size_t i = 0; i < controls_.size(); ++i) {
         Control& control = controls_[i];
@@ -140,9 +140,6 @@ void ControlTable::apply(const State& wanted, const std::function<void()>& chang
             give(control, value->second);
         else if (value == wanted.end() && control.moved())
             set(control, "reset");
-        else
-            continue;
-        changed();
     }
     for (const auto& [name, value] : wanted)
         if (const Control* control = find(name); control == nullptr || !control->saved)

@@ -72,10 +72,9 @@ class ControlTable {
 
     /// What is not the program's own now.
     State state() const;
-    /// Makes it so: sets what `wanted` has, resets everything else that is saved. `changed` is called after each control, since
-    /// some bring others with them. Throws UsageError for a name that there is not, or a value that cannot be; what came before
-    /// it is set then.
-    void apply(const State& wanted, const std::function<void()>& changed);
+    /// Makes it so: sets what `wanted` has, resets everything else that is saved. Throws UsageError for a name that there is not,
+    /// or a value that cannot be; what came before it is set then.
+    void apply(const State& wanted);
 
   private:
     std::deque<Control> controls_;

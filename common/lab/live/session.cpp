@@ -78,10 +78,9 @@ THREE::Vector3 Session::placeInView() {
 namespace {
 
 void expectRoom(std::size_t lights) {
-    constexpr std::size_t most = mostControlledLights;
-    if (lights >= most)
+    if (lights >= mostControlledLights)
         throw UsageError("light add: found " + std::to_string(lights) + " lights; expected fewer than " +
-                         std::to_string(most) + " to add one by hand");
+                         std::to_string(mostControlledLights) + " to add one by hand");
 }
 
 std::unique_ptr<THREE::Light> lightOfKind(const std::string& kind) {
@@ -133,8 +132,7 @@ void Session::removeAdded() {
     view_.putBack();  // which would write into lights that are gone
     for (const auto& light : added_)
         view_.overrides.lights.erase(light.get());
-    while (!added_.empty())
-        added_.pop_back();
+    added_.clear();
 }
 
 // All are made anew, once it is known that all can be: else what is there stays.
@@ -179,13 +177,12 @@ const THREE::Light* Session::lightOfView() const {
     return first == lights_.end() ? nullptr : *first;
 }
 
-std::vector<Side> Session::sides(int width, View* before) const {
-    View* const here = const_cast<View*>(&view_);
+std::vector<Side> Session::sides(int width, View* before) {
     const lighting::Settings whole = settings();
     if (split == Split::off || (split == Split::lesson && before == nullptr))
-        return {{here, whole, 0, width}};
+        return {{&view_, whole, 0, width}};
     const int middle = static_cast<int>(std::lround(std::clamp(divider, 0.0, 1.0) * width));
-    std::vector<Side> sides{{here, whole, 0, middle}, {here, whole, middle, width}};
+    std::vector<Side> sides{{&view_, whole, 0, middle}, {&view_, whole, middle, width}};
     if (split == Split::term) {
         sides[0].settings.terms = switches.terms.without(lastTerm);
         sides[1].settings.terms = switches.terms.with(lastTerm);
@@ -201,9 +198,9 @@ std::vector<Side> Session::sides(int width, View* before) const {
 void Session::apply(const State& wanted) {
     const State before = table.state();
     try {
-        table.apply(wanted, [] {});
+        table.apply(wanted);
     } catch (const UsageError&) {
-        table.apply(before, [] {});
+        table.apply(before);
         throw;
     }
 }

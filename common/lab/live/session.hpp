@@ -72,7 +72,7 @@ class Session {
     /// All settings of the picture but for its sides.
     lighting::Settings settings() const;
     /// The picture's sides for this width in pixels: one, or two. `before`: the view of the lesson before this one, if there is one now.
-    std::vector<Side> sides(int width, View* before) const;
+    std::vector<Side> sides(int width, View* before);
     /// Moves scene and camera to the time, for a picture of this size. Throws THREE::SceneError.
     void update(int width, int height) {
         width_ = width;
