@@ -2,8 +2,8 @@
 // others, and accept what is right in other words.
 // SPDX-License-Identifier: MIT
 #include "support/draw.hpp"
-#include "support/hidden_scene.hpp"
-#include "support/misconceptions.hpp"
+#include "grader/catalogue/hidden_scene.hpp"
+#include "grader/catalogue/misconceptions.hpp"
 #include "three/object_loader.hpp"
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 
 namespace {
 
-using support::Apart;
-using support::apart;
-using support::Finish;
-using support::Misconception;
-using support::misconceptions;
-using support::WrongFrames;
+using grader::Apart;
+using grader::apart;
+using grader::Finish;
+using grader::Misconception;
+using grader::misconceptions;
+using grader::WrongFrames;
 
 constexpr int size = 96;
 constexpr double oneHundredthCode = 0.01;
@@ -49,16 +49,16 @@ TEST(Catalogue, EveryIdOnceAndFound) {
     for (const Misconception& row : misconceptions()) {
         EXPECT_TRUE(ids.insert(row.id).second) << row.id;
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
-        EXPECT_EQ(&support::misconception(row.id), &row);
+        EXPECT_EQ(&grader::misconception(row.id), &row);
         EXPECT_EQ(row.right, row.id[0] == 'R') << row.id;
         EXPECT_GE(row.firstLesson, 2) << "lessons 00 and 01 have no equation that could be wrong";
         right += row.right ? 1 : 0;
     }
     EXPECT_EQ(right, 12);
-    for (const support::MisconceptionClass& c : support::misconceptionClasses())
+    for (const grader::MisconceptionClass& c : grader::misconceptionClasses())
         for (const std::string& id : c.ids)
-            EXPECT_FALSE(support::misconception(id).right) << id;
-    EXPECT_THROW(support::misconception("A0"), std::out_of_range);
+            EXPECT_FALSE(grader::misconception(id).right) << id;
+    EXPECT_THROW(grader::misconception("A0"), std::out_of_range);
 }
 
 // A seed, and what the meshes are made of.
@@ -66,7 +66,7 @@ class Hidden : public testing::TestWithParam<std::tuple<std::uint64_t, Finish>> 
   protected:
     bool shiny() const { return std::get<Finish>(GetParam()) == Finish::shiny; }
     THREE::LoadedScene scene() const {
-        return support::hiddenScene(std::get<0>(GetParam()), std::get<1>(GetParam()));
+        return grader::hiddenScene(std::get<0>(GetParam()), std::get<1>(GetParam()));
     }
     /// Whether a row is about something that this scene has.
     bool concerns(const Misconception& row) const { return shiny() || row.firstLesson < phongsLesson; }
@@ -86,9 +86,9 @@ struct Lit {
     int lamps = 0;  ///< how many reach it
     double nearest = 1e9;  ///< distance to the nearest point light
 };
-Lit litAt(const support::WrongInput& p) {
+Lit litAt(const grader::WrongInput& p) {
     Lit lit;
-    for (const support::Lamp& lamp : p.lamps) {
+    for (const grader::Lamp& lamp : p.lamps) {
         const glm::dvec3 v = lamp.point ? lamp.position - p.Q : lamp.towards;
         lit.lamps += glm::dot(p.n, v) > 0 ? 1 : 0;
         if (lamp.point)
@@ -102,11 +102,11 @@ TEST_P(Hidden, IsWhatTheRecipeAsks) {
     const WrongFrames frames = framesOf(hidden);
     std::map<int, std::size_t> byLamps;
     std::size_t near = 0, bright = 0;
-    for (const support::WrongInput& p : frames.points()) {
+    for (const grader::WrongInput& p : frames.points()) {
         const Lit lit = litAt(p);
         ++byLamps[lit.lamps];
         near += lit.nearest < 1 ? 1U : 0U;
-        const glm::dvec3 P = support::misconception("R5").evaluate(p);
+        const glm::dvec3 P = grader::misconception("R5").evaluate(p);
         bright += std::max({P.r, P.g, P.b}) > 1 ? 1U : 0U;
         const glm::dvec3 K_S = p.specular;
         ASSERT_EQ(shiny(), K_S.r != K_S.g && K_S.g != K_S.b && K_S.b != K_S.r);
@@ -161,7 +161,7 @@ TEST_P(Hidden, TellsMisconceptionsApartUnlessNoPictureCan) {
 
 // A hidden scene, changed so that the condition of every class holds if nothing shines.
 THREE::LoadedScene arranged(Finish finish) {
-    THREE::LoadedScene hidden = support::hiddenScene(0, finish);
+    THREE::LoadedScene hidden = grader::hiddenScene(0, finish);
     hidden.scene->traverse([&](THREE::Object3D& object) {
         if (auto* bulb = dynamic_cast<THREE::PointLight*>(&object))
             bulb->decay = 2;
@@ -175,26 +175,26 @@ THREE::LoadedScene arranged(Finish finish) {
 }
 
 TEST(Classes, HoldWhereTheirConditionDoesAndNowhereElse) {
-    const WrongFrames hidden = framesOf(support::hiddenScene(0)), held = framesOf(arranged(Finish::matte));
-    for (const support::MisconceptionClass& c : support::misconceptionClasses())
+    const WrongFrames hidden = framesOf(grader::hiddenScene(0)), held = framesOf(arranged(Finish::matte));
+    for (const grader::MisconceptionClass& c : grader::misconceptionClasses())
         for (std::size_t i = 1; i < c.ids.size(); ++i) {
-            const Misconception& a = support::misconception(c.ids[0]);
-            const Misconception& b = support::misconception(c.ids[i]);
+            const Misconception& a = grader::misconception(c.ids[0]);
+            const Misconception& b = grader::misconception(c.ids[i]);
             EXPECT_EQ(hidden.sameClass(a, b), c.when == std::string("always")) << a.id << ' ' << b.id;
             EXPECT_TRUE(held.sameClass(a, b)) << a.id << ' ' << b.id;
             EXPECT_LT(apart(held.frame(a), held.frame(b), held.counted()).codes, oneHundredthCode)
                 << a.id << " and " << b.id << " differ where " << c.when;
             EXPECT_TRUE(apart(held.truth(), held.frame(a), held.counted()).clearly()) << a.id;
         }
-    const Misconception& noClamp = support::misconception("A1");
-    EXPECT_FALSE(held.sameClass(noClamp, support::misconception("B3")));
+    const Misconception& noClamp = grader::misconception("A1");
+    EXPECT_FALSE(held.sameClass(noClamp, grader::misconception("B3")));
 }
 
 // R stays where it is when n is turned round, but not when w is; and a w that is too long makes R too long.
 TEST(Classes, AHighlightSplitsTwoOfThem) {
     const WrongFrames shiny = framesOf(arranged(Finish::shiny));
     for (const auto& [one, other] : {std::pair("B3", "B5"), std::pair("B7", "D1")}) {
-        const Misconception &a = support::misconception(one), &b = support::misconception(other);
+        const Misconception &a = grader::misconception(one), &b = grader::misconception(other);
         EXPECT_FALSE(shiny.sameClass(a, b)) << one << ' ' << other;
         EXPECT_TRUE(apart(shiny.frame(a), shiny.frame(b), shiny.counted()).clearly()) << one << ' ' << other;
     }

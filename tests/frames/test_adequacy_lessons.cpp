@@ -1,7 +1,7 @@
 // What the lessons' own frames are worth: which misconceptions of the catalogue they show, and that they accept what is
 // right in other words.
 // SPDX-License-Identifier: MIT
-#include "support/misconceptions.hpp"
+#include "grader/catalogue/misconceptions.hpp"
 #include "support/program.hpp"
 #include "three/object_loader.hpp"
 
@@ -12,11 +12,11 @@
 
 namespace {
 
-using support::Apart;
-using support::apart;
-using support::Misconception;
-using support::misconceptions;
-using support::WrongFrames;
+using grader::Apart;
+using grader::apart;
+using grader::Misconception;
+using grader::misconceptions;
+using grader::WrongFrames;
 
 constexpr double oneHundredthCode = 0.01;
 
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Lessons, Shown,
 
 // No picture without a highlight can tell a w of the wrong sign from a normal of the wrong sign; this lesson's can.
 TEST(ShownByLesson09, TheSignOfWFromTheSignOfTheNormal) {
-    const Misconception &w = support::misconception("B3"), &n = support::misconception("B5");
+    const Misconception &w = grader::misconception("B3"), &n = grader::misconception("B5");
     for (const WrongFrames& f : framesOfLesson("lesson_09_phong")) {
         const Apart a = apart(f.frame(w), f.frame(n), f.counted());
         EXPECT_TRUE(a.clearly()) << "apart on only " << a.share;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace support {
+namespace grader {
 
 /// A light as a student meets it, before anything is computed from it. World space.
 struct Lamp {
@@ -113,4 +113,4 @@ struct Apart {
 Apart apart(const std::vector<float>& a, const std::vector<float>& b,
             const std::vector<std::uint8_t>& counted);
 
-}  // namespace support
+}  // namespace grader

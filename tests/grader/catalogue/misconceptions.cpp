@@ -1,9 +1,9 @@
 // The table of misconceptions put together, and the frames of wrong programs.
 // SPDX-License-Identifier: MIT
-#include "support/misconceptions.hpp"
+#include "grader/catalogue/misconceptions.hpp"
 
 #include "lighting/reference/reference.hpp"
-#include "support/misconception_rows.hpp"
+#include "grader/catalogue/misconception_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace support {
+namespace grader {
 
 namespace {
 
@@ -194,4 +194,4 @@ Apart apart(const std::vector<float>& a, const std::vector<float>& b,
     return result;
 }
 
-}  // namespace support
+}  // namespace grader

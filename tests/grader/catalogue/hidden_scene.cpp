@@ -1,6 +1,6 @@
 // The hidden scenes: everything is placed as the camera sees it, so that no seed hides what matters.
 // SPDX-License-Identifier: MIT
-#include "support/hidden_scene.hpp"
+#include "grader/catalogue/hidden_scene.hpp"
 
 #include "three/three.hpp"
 
@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 #include <random>
 
-namespace support {
+namespace grader {
 
 namespace {
 
@@ -176,4 +176,4 @@ THREE::LoadedScene hiddenScene(std::uint64_t seed, Finish finish) {
     return hidden;
 }
 
-}  // namespace support
+}  // namespace grader

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace support {
+namespace grader {
 
 /// What all the meshes of a hidden scene are made of: Lambertian materials, or Phong's, each with K_S of three different
 /// channels and an exponent that is not three.js's.
@@ -20,4 +20,4 @@ enum class Finish { matte, shiny };
 /// matte one with highlights and one more directional light, from behind. For square pictures.
 THREE::LoadedScene hiddenScene(std::uint64_t seed, Finish finish = Finish::shiny);
 
-}  // namespace support
+}  // namespace grader

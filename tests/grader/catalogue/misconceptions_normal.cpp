@@ -1,8 +1,8 @@
 // Misconceptions about normals and spaces (C).
 // SPDX-License-Identifier: MIT
-#include "support/misconception_rows.hpp"
+#include "grader/catalogue/misconception_rows.hpp"
 
-namespace support::rows {
+namespace grader::rows {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::vector<Misconception> normalRows() {
     };
 }
 
-}  // namespace support::rows
+}  // namespace grader::rows

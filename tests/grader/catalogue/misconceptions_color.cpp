@@ -1,10 +1,10 @@
 // Misconceptions about the ambient term (E), colours (F) and the sum over the lamps (G).
 // SPDX-License-Identifier: MIT
-#include "support/misconception_rows.hpp"
+#include "grader/catalogue/misconception_rows.hpp"
 
 #include <numbers>
 
-namespace support::rows {
+namespace grader::rows {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::vector<Misconception> colorRows() {
     };
 }
 
-}  // namespace support::rows
+}  // namespace grader::rows

@@ -1,8 +1,8 @@
 // Misconceptions about the cosine (A), the direction of the light (B) and the attenuation (D).
 // SPDX-License-Identifier: MIT
-#include "support/misconception_rows.hpp"
+#include "grader/catalogue/misconception_rows.hpp"
 
-namespace support::rows {
+namespace grader::rows {
 
 namespace {
 
@@ -143,4 +143,4 @@ std::vector<Misconception> lightRows() {
     };
 }
 
-}  // namespace support::rows
+}  // namespace grader::rows

@@ -1,8 +1,8 @@
 // Misconceptions about Phong's highlight (H): K_S max(0, R . v)^s f(d) (x) L for each lamp with n . w > 0.
 // SPDX-License-Identifier: MIT
-#include "support/misconception_rows.hpp"
+#include "grader/catalogue/misconception_rows.hpp"
 
-namespace support::rows {
+namespace grader::rows {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::vector<Misconception> highlightRows() {
     };
 }
 
-}  // namespace support::rows
+}  // namespace grader::rows

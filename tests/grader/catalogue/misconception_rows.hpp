@@ -3,14 +3,14 @@
 #pragma once
 
 #include "lighting/reference/geometry.hpp"
-#include "support/misconceptions.hpp"
+#include "grader/catalogue/misconceptions.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-namespace support::rows {
+namespace grader::rows {
 
 using glm::dmat3;
 using glm::dmat4;
@@ -167,4 +167,4 @@ std::vector<Misconception> colorRows();  ///< E, F, G: ambient, colours, the sum
 std::vector<Misconception> highlightRows();  ///< H: Phong's highlight
 std::vector<Misconception> rightRows();  ///< R: right in other words
 
-}  // namespace support::rows
+}  // namespace grader::rows

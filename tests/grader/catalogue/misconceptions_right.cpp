@@ -1,8 +1,8 @@
 // The equation right in other words (R): what must never be punished.
 // SPDX-License-Identifier: MIT
-#include "support/misconception_rows.hpp"
+#include "grader/catalogue/misconception_rows.hpp"
 
-namespace support::rows {
+namespace grader::rows {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::vector<Misconception> rightRows() {
     };
 }
 
-}  // namespace support::rows
+}  // namespace grader::rows
