@@ -5,6 +5,8 @@
 #include "three/lights.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace lab {
 
@@ -31,6 +33,35 @@ class Numbers {
     std::uint64_t state_;
 };
 
+// A smooth field over the directions, three numbers in [-1, 1] at each: what it does to an object depends on where the object
+// is, not on when it was added. So the same scene built in another order, or a direction of another length, is changed alike.
+class Field {
+  public:
+    explicit Field(Numbers& numbers) {
+        for (Wave& wave : waves_) {
+            wave.along = numbers.vector(2);
+            wave.phase = 3.141592653589793 * numbers.next();
+        }
+    }
+    /// Only the direction of `place` counts.
+    THREE::Vector3 at(const THREE::Vector3& place, double size) const {
+        const double length = place.length();
+        const THREE::Vector3 direction =
+            length > 0 ? THREE::Vector3(place).multiplyScalar(1 / length) : THREE::Vector3();
+        const auto value = [&](const Wave& wave) {
+            return size * std::sin(wave.phase + wave.along.dot(direction));
+        };
+        return {value(waves_[0]), value(waves_[1]), value(waves_[2])};
+    }
+
+  private:
+    struct Wave {
+        THREE::Vector3 along;
+        double phase;
+    };
+    std::array<Wave, 3> waves_;
+};
+
 constexpr double cameraShare = 0.08;  // of its distance from the target
 constexpr double lightShare = 0.08;  // of its distance from its parent's origin
 constexpr double meshShare = 0.05;  // of its size
@@ -44,21 +75,24 @@ void Jitter::apply(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const 
     const double distance = THREE::Vector3(camera.position).sub(target).length();
     camera.position.add(numbers.vector(cameraShare * distance));
     camera.lookAt(target);
+    const Field lights(numbers), meshes(numbers), axes(numbers);
+    const double turn = meshTurn * (0.75 + 0.25 * numbers.next());
     scene.traverse([&](THREE::Object3D& object) {
         const bool light = dynamic_cast<THREE::Light*>(&object) != nullptr;
         const auto* mesh = dynamic_cast<THREE::Mesh*>(&object);
         if ((!light && mesh == nullptr) || !object.matrixAutoUpdate)
             return;
         remember(object);
+        const THREE::Vector3 place = object.position;
         if (light) {
-            object.position.add(numbers.vector(lightShare * object.position.length()));
+            object.position.add(lights.at(place, lightShare * place.length()));
             return;
         }
         const double radius = mesh->geometry ? std::max(mesh->geometry->boundingSphere().radius, 0.0) : 0;
-        object.position.add(numbers.vector(meshShare * std::min(radius, distance)));
-        THREE::Quaternion turn;
-        turn.setFromAxisAngle(numbers.vector(1), meshTurn * numbers.next());
-        object.quaternion = THREE::Quaternion(glm::dquat(turn) * glm::dquat(object.quaternion));
+        object.position.add(meshes.at(place, meshShare * std::min(radius, distance)));
+        THREE::Quaternion turned;
+        turned.setFromAxisAngle(axes.at(place, 1), turn);
+        object.quaternion = THREE::Quaternion(glm::dquat(turned) * glm::dquat(object.quaternion));
     });
 }
 

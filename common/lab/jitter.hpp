@@ -10,7 +10,7 @@
 namespace lab {
 
 /// Small changes of the camera's place, the lights' and the meshes', all from one seed: the same seed, the same changes
-/// on every machine. For hidden variations in grading.
+/// on every machine, whatever the order in which the scene was built. For hidden variations in grading.
 class Jitter {
   public:
     explicit Jitter(std::uint64_t seed) : seed_(seed) {}

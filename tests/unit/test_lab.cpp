@@ -8,6 +8,7 @@
 #include "three/three.hpp"
 
 #include <cmath>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -144,6 +145,34 @@ TEST(Jitter, MovesALittleTheSameEachTimeAndBackAgain) {
     }
     EXPECT_LT(Vector3(places[0][1]).sub({2, 1.5, 5}).length(), 1);
     EXPECT_GT(Vector3(places[0][1]).sub({2, 1.5, 5}).length(), 1e-3);
+}
+
+// A grader gives the same seed to a student's scene and to its own.
+TEST(Jitter, IsTheSameWhateverTheOrderAndHoweverLongADirectionIs) {
+    THREE::BoxGeometry box;
+    const auto places = [&box](bool reversed, double length) {
+        THREE::Scene scene;
+        THREE::Mesh one(box), two(box);
+        one.position.set(1, 2, 3);
+        two.position.set(-3, 0, 1);
+        THREE::DirectionalLight sun;
+        sun.position.set(0, 3 * length, -2 * length);
+        THREE::PointLight bulb;
+        bulb.position.set(2, 1.5, 5);
+        std::vector<THREE::Object3D*> all{&one, &two, &sun, &bulb};
+        if (reversed)
+            std::reverse(all.begin(), all.end());
+        for (THREE::Object3D* object : all)
+            scene.add(*object);
+        THREE::PerspectiveCamera camera;
+        camera.position.set(0, 1, 5);
+        lab::Jitter(7).apply(scene, camera, {});
+        return std::vector<Vector3>{one.position, two.position, sun.position.multiplyScalar(1 / length),
+                                    bulb.position};
+    };
+    const auto expected = places(false, 1), found = places(true, 4);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        expectNear(found[i], expected[i], 1e-14);
 }
 
 // An animation writes one angle and keeps the others: these must not come back from the quaternion, rounded.
