@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lighting/reference/geometry.hpp"
 #include "grader/catalogue/misconceptions.hpp"
+#include "lighting/reference/geometry.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "grader/catalogue/misconceptions.hpp"
 
-#include "lighting/reference/reference.hpp"
 #include "grader/catalogue/misconception_rows.hpp"
+#include "lighting/reference/reference.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +131,7 @@ const std::vector<MisconceptionClass>& misconceptionClasses() {
 }
 
 WrongFrames::WrongFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, int width,
-                         int height) {
+                         int height, std::size_t every) {
     lighting::Switches switches;
     switches.specular = THREE::SpecularModel::phong;
     const Reference reference(scene, camera, switches, width, height);
@@ -143,10 +143,11 @@ WrongFrames::WrongFrames(const THREE::Scene& scene, const THREE::PerspectiveCame
     const WrongInput common = commonInput(scene, camera);
     const dvec3 background = scene.background ? vectorOf(*scene.background) : dvec3(0);
     truth_.resize(seen.size() * 3);
+    std::size_t lit = 0;
     for (std::size_t pixel = 0; pixel < seen.size(); ++pixel) {
         const std::optional<Surface>& surface = seen[pixel];
         put(truth_, pixel, surface ? reference.shade(*surface) : background);
-        if (!surface || !reference.bodies()[surface->body].lit)
+        if (!surface || !reference.bodies()[surface->body].lit || lit++ % every != 0)
             continue;
         points_.push_back(inputAt(common, reference, *surface));
         pixels_.push_back(pixel);

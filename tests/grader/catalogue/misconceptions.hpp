@@ -82,7 +82,9 @@ class WrongFrames {
   public:
     /// Sizes in pixels; the camera's own aspect is used. The scene must be valid and have no mesh without volume
     /// (scale 0): some misconceptions divide by it.
-    WrongFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, int width, int height);
+    /// With `every` above 1 only each so-many-th lit pixel becomes a point; the others of a frame stay right.
+    WrongFrames(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera, int width, int height,
+                std::size_t every = 1);
 
     /// R, G, B of each pixel, top row first, not clamped: the slides' equation, by the reference in doubles.
     const std::vector<float>& truth() const { return truth_; }
@@ -92,6 +94,8 @@ class WrongFrames {
     const std::vector<std::uint8_t>& counted() const { return counted_; }
     /// The points of lit surfaces that are seen.
     const std::vector<WrongInput>& points() const { return points_; }
+    /// The pixel of each point, counted from the top left.
+    const std::vector<std::size_t>& pixels() const { return pixels_; }
     /// Whether `a` and `b` are in a class whose condition holds at every point.
     bool sameClass(const Misconception& a, const Misconception& b) const;
 

@@ -17,7 +17,8 @@ struct Limits {
     std::uint64_t memoryBytes = std::uint64_t{3} << 30;  ///< address space of each process
     int processes = 64;  ///< and threads. Not below: llvmpipe waits for ever where it gets no threads
     std::uint64_t fileBytes = std::uint64_t{64} << 20;  ///< of each file that it writes
-    std::uint64_t folderBytes = std::uint64_t{128} << 20;  ///< of all that it writes together (/box is in memory)
+    std::uint64_t folderBytes = std::uint64_t{128}
+                                << 20;  ///< of all that it writes together (/box is in memory)
     std::uint64_t saidBytes = 64 << 10;  ///< of stdout and stderr; the rest is passed over
 };
 
@@ -37,7 +38,8 @@ struct Wanted {
 struct Job {
     std::vector<std::string> command;  ///< command[0] is a path inside, or found in /usr/bin
     std::vector<Mount> mounts;
-    std::vector<std::pair<std::string, std::string>> texts;  ///< files made of these texts, by their absolute names inside
+    std::vector<std::pair<std::string, std::string>>
+        texts;  ///< files made of these texts, by their absolute names inside
     std::vector<std::pair<std::string, std::string>> environment;  ///< added to PATH, HOME=/box, LANG=C.UTF-8
     std::vector<Wanted> wanted;
     Limits limits;
@@ -54,14 +56,16 @@ enum class Ended {
 /// One wanted file.
 struct Returned {
     std::string bytes;
-    std::string problem;  ///< empty, or why there are no bytes: "was not written", "is a symbolic link", "is 12 bytes long, expected 110592"
+    std::string
+        problem;  ///< empty, or why there are no bytes: "was not written", "is a symbolic link", "is 12 bytes long, expected 110592"
 };
 
 struct Outcome {
     Ended how = Ended::notStarted;
     int status = 0;
     std::string trouble;
-    std::string said;  ///< stdout and stderr as they came, made harmless: valid UTF-8, no control characters but line feed
+    std::string
+        said;  ///< stdout and stderr as they came, made harmless: valid UTF-8, no control characters but line feed
     bool saidMore = false;  ///< more than saidBytes
     std::vector<Returned> files;  ///< in the order of Job::wanted
     double seconds = 0;  ///< on the wall, start and end of the confinement included

@@ -1,0 +1,203 @@
+// Steps of a lesson: passed where the frames are right; else told apart by the scene behind the frames.
+// SPDX-License-Identifier: MIT
+#include "grader/judge/steps.hpp"
+
+#include "grader/judge/aspect_words.hpp"
+#include "three/validate.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace grader {
+
+namespace {
+
+int numberOf(const std::string& lesson) { return std::atoi(lesson.c_str() + std::string("lesson_").size()); }
+
+// What a step needs is a frame that did not come back.
+bool needs(const StepCheck& step, const View& view) {
+    return step.variants.empty() ||
+           std::find(step.variants.begin(), step.variants.end(), view.variant->id) != step.variants.end();
+}
+
+void grade(Check& check, double share) {
+    check.score = check.maxScore * share;
+    check.status = share >= 1 ? CheckStatus::pass : share > 0 ? CheckStatus::partial : CheckStatus::fail;
+}
+
+}  // namespace
+
+const std::string& in(const BothLanguages& text, Language language) {
+    return language == Language::it ? text.it : text.en;
+}
+
+Explanation explanationOf(const std::vector<std::string>& ids, const Texts& texts, Language language) {
+    Explanation result;
+    result.ids = ids;
+    const MisconceptionText* first = &texts.misconception(ids.front());
+    try {
+        const MisconceptionText& text = texts.textOf(ids);
+        result.name = in(text.name, language);
+        result.hint = in(text.hint, language);
+        result.convention = in(text.convention, language);
+        return result;
+    } catch (const std::out_of_range&) {  // no class of the catalogue, but these pictures cannot split them
+        for (const std::string& id : ids)
+            result.name += (result.name.empty()        ? ""
+                            : language == Language::it ? ", oppure "
+                                                       : ", or ") +
+                           in(texts.misconception(id).name, language);
+        result.hint = in(first->hint, language);
+        return result;
+    }
+}
+
+Steps::Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
+             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes)
+    : rubric_(rubric), texts_(texts), language_(language), views_(std::move(views)) {
+    for (std::size_t i = 0; i < views_.size(); ++i)
+        expected_.emplace_back(scenes[i], rubric.size, lighting::Switches(), views_[i].name);
+}
+
+void Steps::prepare() const {
+    if (explainer_ != nullptr)
+        return;
+    std::vector<const ExpectedFrame*> frames;
+    for (const ExpectedFrame& frame : expected_)
+        frames.push_back(&frame);
+    explainer_ = std::make_unique<Explainer>(frames, numberOf(rubric_.lesson));
+}
+
+Check Steps::start(const StepCheck& step) const {
+    Check check;
+    check.id = step.id;
+    check.title = in(step.title, language_);
+    check.slides = step.slides;
+    check.maxScore = step.points;
+    check.isNew = step.isNew;
+    check.dependsOn = {"runs"};
+    check.expected = in(step.expected, language_);
+    return check;
+}
+
+// The student's scenes, if they give the student's frames: what differs in them from the lesson's, at any view.
+std::optional<Aspects> Steps::aspects(const std::vector<std::vector<float>>& found,
+                                      const SceneAt& sceneAt) const {
+    Aspects all;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        if (found[i].empty())
+            continue;
+        const auto scene = sceneAt(i);
+        if (scene == nullptr || scene->camera == nullptr)
+            return std::nullopt;
+        const ExpectedFrame drawn(scene, rubric_.size, lighting::Switches(), "");
+        if (!compare(drawn, found[i]).right())
+            return std::nullopt;
+        for (const auto& [name, aspect] : compareScenes(*expected_[i].scene().scene, *scene->scene)) {
+            const auto [place, isNew] = all.emplace(name, aspect);
+            if (!isNew && place->second.right && !aspect.right)
+                place->second = aspect;
+        }
+    }
+    return all.empty() ? std::nullopt : std::optional(all);
+}
+
+// The names that a check means. "*" means all that no other check names.
+std::vector<std::string> Steps::aspectsOf(const StepCheck& check, const Aspects& all) const {
+    std::vector<std::string> names;
+    const auto meant = [](const StepCheck& step, const std::string& name) {
+        return std::any_of(step.aspects.begin(), step.aspects.end(), [&](const std::string& pattern) {
+            return pattern != "*" && matches(pattern, name);
+        });
+    };
+    const bool rest = std::find(check.aspects.begin(), check.aspects.end(), "*") != check.aspects.end();
+    for (const auto& [name, aspect] : all) {
+        const bool taken = std::any_of(rubric_.steps.begin(), rubric_.steps.end(),
+                                       [&](const StepCheck& step) { return meant(step, name); });
+        if (meant(check, name) || (rest && !taken))
+            names.push_back(name);
+    }
+    return names;
+}
+
+void Steps::judgeByScene(const StepCheck& step, const Aspects& aspects, Check& check) const {
+    const std::vector<std::string> names = aspectsOf(step, aspects);
+    std::vector<std::string> wrong;
+    for (const std::string& name : names)
+        if (!aspects.at(name).right)
+            wrong.push_back(inWords(name, aspects.at(name), language_));
+    wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
+    std::size_t bad = 0;
+    for (const std::string& name : names)
+        bad += aspects.at(name).right ? 0U : 1U;
+    grade(check, names.empty() ? 1 : 1 - static_cast<double>(bad) / static_cast<double>(names.size()));
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i)
+        check.message += (i == 0 ? "" : "; ") + wrong[i];
+    if (wrong.size() > most)
+        check.message += language_ == Language::it ? "; e altro" : "; and more";
+}
+
+std::optional<Explanation> Steps::explanation(const std::vector<std::vector<float>>& found) const {
+    prepare();
+    const Explainer::Fit fit = explainer_->explain(found);
+    if (fit.ids.size() != 1)
+        return std::nullopt;
+    Explanation result = explanationOf(fit.ids[0], texts_, language_);
+    result.explained = fit.explained;
+    result.confidence = fit.confidence;
+    return result;
+}
+
+PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
+                         const std::vector<std::string>& problems, const SceneAt& sceneAt) const {
+    const bool it = language_ == Language::it;
+    const Evidence evidence(expected_, found);
+    PartVerdict verdict;
+    const std::optional<Aspects> byScene = evidence.right() ? std::nullopt : aspects(found, sceneAt);
+    std::set<std::string> pictureIds;
+    for (const StepCheck& step : rubric_.steps) {
+        Check check = start(step);
+        std::string missing;
+        for (std::size_t i = 0; i < views_.size(); ++i)
+            if (!evidence.there(i) && needs(step, views_[i]) && step.isNew)
+                missing = views_[i].name + ": " + problems[i];
+        if (evidence.right()) {
+            grade(check, 1);
+            check.message =
+                it ? "l'immagine è giusta in tutte le viste" : "the picture is right in all views";
+        } else if (!missing.empty()) {
+            grade(check, 0);
+            check.message = (it ? "manca un'immagine: " : "a frame is missing: ") + missing;
+        } else if (byScene) {
+            judgeByScene(step, *byScene, check);
+            if (check.status == CheckStatus::pass)
+                check.message = it ? "questa parte della scena è giusta" : "this part of the scene is right";
+        } else {
+            grade(check, 0);
+            check.message =
+                it ? "l'immagine non è quella attesa, né quella che la scena del programma darebbe"
+                   : "the picture is not as expected, nor what the program's own scene would give";
+        }
+        verdict.checks.push_back(std::move(check));
+    }
+    if (evidence.right())
+        return verdict;
+    verdict.pictures = evidence.pictures("lesson", language_);
+    std::optional<Explanation> why = explanation(found);
+    for (Check& check : verdict.checks) {
+        check.regions = evidence.regions();
+        if (check.status == CheckStatus::pass)
+            continue;
+        check.hint = it ? "Rileggi le slide indicate e il TODO di partenza, e confronta le immagini."
+                        : "Reread the slides named here and the starter's TODO, and compare the pictures.";
+        check.worst = evidence.worstPixel();
+        for (const Picture& picture : verdict.pictures)
+            check.images.push_back(picture.image.id);
+        if (why && check.isNew)
+            check.explanation = std::exchange(why, std::nullopt);
+    }
+    return verdict;
+}
+
+}  // namespace grader
