@@ -185,10 +185,10 @@ std::vector<std::string> lessonSubmissions() { return submissions("lessons"); }
 
 const std::map<std::string, std::string>& cannotBeWritten() {
     static const std::map<std::string, std::string> reasons{
-        {"B2", "a shader gets a directional light's unit direction, not its place: lessons/B2.edit"},
-        {"B6", "the framework normalises a directional light's direction before a shader gets it"},
-        {"B10", "a shader gets no view matrix, and a lesson turns a directional light's target along: "
-                "lessons/B10.edit for point lights"},
+        {"B2", "a shader gets a directional light's direction, not its place; a lesson can: lessons/B2.edit"},
+        {"B6",
+         "a directional light's direction is normalised before a shader gets it, whatever a lesson writes"},
+        {"B10", "a shader gets no place of the camera to turn lights with; a lesson can: lessons/B10.edit"},
     };
     return reasons;
 }

@@ -39,7 +39,7 @@ std::vector<std::string> shaderSubmissions();
 Files lessonSubmission(const std::string& id);
 std::vector<std::string> lessonSubmissions();
 
-/// The rows of the catalogue that no file of a student can draw on the hidden scenes as the catalogue does, and why.
+/// The rows of the catalogue that no shader of a student can draw, and why.
 const std::map<std::string, std::string>& cannotBeWritten();
 
 }  // namespace grader
