@@ -28,6 +28,14 @@ dmat4 matrixOf(const THREE::Object3D& object) {
 
 dvec3 vectorOf(const THREE::Color& c) { return {c.r, c.g, c.b}; }
 
+// When a lamp's turn comes in the lab's shaders, which is where a student's loop runs: directional lights, then point lights
+// by their exponent. What a loop leaves behind (D8, G4) depends on it.
+int turn(const Lamp& lamp) {
+    if (!lamp.point)
+        return 0;
+    return lamp.decay == 0 ? 1 : lamp.decay == 1 ? 2 : lamp.decay == 2 ? 3 : 4;
+}
+
 // What all points of a frame have in common.
 WrongInput commonInput(const THREE::Scene& scene, const THREE::PerspectiveCamera& camera) {
     WrongInput common{};
@@ -49,6 +57,8 @@ WrongInput commonInput(const THREE::Scene& scene, const THREE::PerspectiveCamera
         else
             common.ambient += color * light->intensity;
     });
+    std::stable_sort(common.lamps.begin(), common.lamps.end(),
+                     [](const Lamp& a, const Lamp& b) { return turn(a) < turn(b); });
     return common;
 }
 

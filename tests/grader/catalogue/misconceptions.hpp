@@ -45,7 +45,8 @@ struct WrongInput {
     glm::dmat4 view;  ///< world space to view space
     glm::dmat4 clip;  ///< world space to clip space
     glm::dvec3 eye;
-    std::vector<Lamp> lamps;  ///< directional and point lights in the order of the scene
+    std::vector<Lamp>
+        lamps;  ///< as the lab's shaders loop over them: directional lights, point lights by their exponent
     glm::dvec3 ambient;  ///< L_A
 
     glm::dvec3 centre() const { return glm::dvec3(model[3]); }  ///< of the mesh: its own origin

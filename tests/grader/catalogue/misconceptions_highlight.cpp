@@ -39,7 +39,9 @@ dvec3 negativeBase(const WrongInput& p) {
 }
 
 dvec3 exponentZero(const WrongInput& p) {
-    return withHighlight(p, [&](const Lamp& lamp) { return cosine(p, lamp) > 0 ? p.specular : dvec3(0); });
+    WrongInput q = p;
+    q.shininess = 0;
+    return equation(q);
 }
 
 dvec3 halfVector(const WrongInput& p) {

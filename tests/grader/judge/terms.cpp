@@ -1,0 +1,294 @@
+// Shader terms: passed where the frames are right; else told apart by the catalogue, then one by one.
+// SPDX-License-Identifier: MIT
+#include "grader/judge/terms.hpp"
+
+#include "grader/catalogue/hidden_scene.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace grader {
+
+namespace {
+
+constexpr const char* neutral =
+    "neutral:";  // ids of hypotheses: terms that are their neutral elements, "neutral:cosine,clamp"
+constexpr int lastMatteLesson = 8, firstShinyLesson = 9;
+
+// The states (lists for --terms) that show a check alone; one of them must be right.
+const std::map<std::string, std::vector<std::string>>& statesOf() {
+    static const std::map<std::string, std::vector<std::string>> all{
+        {"albedo", {"albedo,ambient", "albedo,directional"}},
+        {"cosine", {"cosine,directional", "cosine,point"}},
+        {"clamp", {"cosine,clamp,directional", "cosine,clamp,point"}},
+        {"light_color", {"light_color,directional", "light_color,point"}},
+        {"attenuation", {"attenuation,point"}},
+        {"directional", {"directional"}},
+        {"point", {"point"}},
+        {"ambient", {"ambient"}},
+        {"specular", {"specular,directional"}},
+        {"normals", {"cosine,directional", "cosine,point"}},
+        {"colours", {"light_color,directional", "ambient"}},
+        {"sum", {"directional,point"}}};
+    return all;
+}
+
+// What a check cannot be right without.
+std::vector<std::string> dependenciesOf(const std::string& check) {
+    if (check == "clamp")
+        return {"runs", "cosine"};
+    if (check == "attenuation")
+        return {"runs", "point"};
+    return {"runs"};
+}
+
+std::vector<std::string> split(const std::string& list) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = list.find(',', begin);
+        parts.push_back(list.substr(begin, end - begin));
+    }
+    return parts;
+}
+
+// Every way of leaving some of the step's terms neutral, and each other term alone.
+std::vector<std::string> neutralLists(const Rubric& rubric) {
+    std::vector<std::string> fresh, lists;
+    const auto isTerm = [](const std::string& name) {
+        const auto& all = lighting::terms();
+        return std::any_of(all.begin(), all.end(),
+                           [&](const lighting::TermInfo& info) { return info.name == name; });
+    };
+    for (const TermCheck& check : rubric.terms)
+        if (isTerm(check.id) && check.isNew && fresh.size() < 4)
+            fresh.push_back(check.id);
+        else if (isTerm(check.id))
+            lists.push_back(check.id);
+    for (unsigned which = 1; which < 1U << fresh.size(); ++which) {
+        std::string list;
+        for (std::size_t i = 0; i < fresh.size(); ++i)
+            if ((which >> i & 1U) != 0)
+                list += (list.empty() ? "" : ",") + fresh[i];
+        lists.push_back(list);
+    }
+    return lists;
+}
+
+lighting::Switches without(const std::string& list) {
+    lighting::Switches switches;
+    for (const std::string& name : split(list))
+        switches.terms = lighting::parseTerms("-" + name, switches.terms);
+    return switches;
+}
+
+}  // namespace
+
+Terms::Terms(const Rubric& rubric, const Texts& texts, Language language, std::uint64_t seed,
+             std::shared_ptr<const THREE::LoadedScene> lesson)
+    : rubric_(rubric), texts_(texts), language_(language) {
+    const std::string word = language == Language::it ? "scena " : "scene ";
+    for (int i = 0; i < rubric.scenes; ++i)
+        scenes_.push_back(std::make_shared<THREE::LoadedScene>(
+            hiddenScene(seed + static_cast<std::uint64_t>(i), rubric.shiny ? Finish::shiny : Finish::matte)));
+    scenes_.push_back(std::move(lesson));
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+        expected_.emplace_back(scenes_[i], rubric.size, lighting::Switches(), word + std::to_string(i + 1));
+}
+
+void Terms::prepare() const {
+    if (explainer_ != nullptr)
+        return;
+    std::vector<const ExpectedFrame*> frames;
+    for (const ExpectedFrame& frame : expected_)
+        frames.push_back(&frame);
+    explainer_ = std::make_unique<Explainer>(frames, rubric_.shiny ? firstShinyLesson : lastMatteLesson);
+    for (const std::string& list : neutralLists(rubric_)) {
+        std::vector<std::vector<float>> all;
+        for (const auto& scene : scenes_)
+            all.push_back(ExpectedFrame(scene, rubric_.size, without(list), "").pixels());
+        explainer_->add(neutral + list, all);
+    }
+}
+
+Check Terms::start(const TermCheck& term) const {
+    const CheckText& text = texts_.check(term.id);
+    Check check;
+    check.id = term.id;
+    check.title = in(text.title, language_);
+    check.slides = text.slides;
+    check.maxScore = check.score = term.points;
+    check.status = CheckStatus::pass;
+    check.isNew = term.isNew;
+    check.dependsOn = dependenciesOf(term.id);
+    check.expected = in(text.expected, language_);
+    return check;
+}
+
+Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fit,
+                          const std::set<std::string>& shaders) const {
+    const bool it = language_ == Language::it;
+    Blame blame;
+    std::string unwritten;
+    ids.erase(std::remove_if(ids.begin(), ids.end(),
+                             [&](const std::string& id) {
+                                 if (!id.starts_with(neutral))
+                                     return false;
+                                 if (unwritten.empty() || unwritten.size() > id.size())
+                                     unwritten = id.substr(std::string(neutral).size());
+                                 return true;
+                             }),
+              ids.end());
+    const auto handedIn = [&](const std::string& term) {
+        return shaders.count("terms/" + term + ".glsl") != 0;
+    };
+    const std::vector<std::string> terms = unwritten.empty() ? std::vector<std::string>() : split(unwritten);
+    if (!terms.empty() && (ids.empty() || std::all_of(terms.begin(), terms.end(), handedIn))) {
+        blame.checks = terms;
+        blame.message = it ? "il termine non fa nulla: è ancora il suo elemento neutro"
+                           : "the term does nothing: it is still its neutral element";
+        return blame;
+    }
+    Explanation explanation = explanationOf(ids, texts_, language_);
+    explanation.explained = fit.explained;
+    explanation.confidence = fit.confidence;
+    try {
+        blame.checks = {texts_.textOf(ids).check};
+    } catch (const std::out_of_range&) {
+        blame.checks = {texts_.misconception(ids.front()).check};
+    }
+    for (const TermCheck& check : rubric_.terms)
+        if (check.id == blame.checks[0])
+            for (const std::string& id : ids)
+                if (const auto kept = check.credit.find(id); kept != check.credit.end())
+                    blame.credit = std::max(blame.credit, kept->second);
+    blame.message = (it ? "l'immagine è quella che si ha quando: " : "the picture is what one gets when: ") +
+                    explanation.name;
+    blame.explanation = std::move(explanation);
+    return blame;
+}
+
+std::vector<Terms::Blame> Terms::blames(const std::vector<std::vector<float>>& found,
+                                        const std::set<std::string>& shaders) const {
+    prepare();
+    const Explainer::Fit fit = explainer_->explain(found);
+    std::vector<Blame> all;
+    for (const std::vector<std::string>& ids : fit.ids) {
+        all.push_back(blame(ids, fit, shaders));
+        for (const std::string& check : all.back().checks)
+            if (std::none_of(rubric_.terms.begin(), rubric_.terms.end(),
+                             [&](const TermCheck& term) { return term.id == check; }))
+                return {};  // this rubric has no such check
+    }
+    return all;
+}
+
+// Each check by the states that show it alone, the best of them counting.
+void Terms::judgeByStates(std::vector<Check>& checks, const DrawStates& drawStates) const {
+    const bool it = language_ == Language::it;
+    std::vector<std::string> states;
+    for (const auto& [check, list] : statesOf())
+        for (const std::string& state : list)
+            if (std::find(states.begin(), states.end(), state) == states.end())
+                states.push_back(state);
+    std::map<std::string, double> share;
+    for (std::size_t scene = 0; scene + 1 < scenes_.size();
+         ++scene) {  // the hidden ones: the lesson's own may lack a kind of light
+        const auto frames = drawStates(scene, states);
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            const lighting::Switches on(lighting::parseTerms(states[i], lighting::TermSet::none()));
+            const ExpectedFrame expected(scenes_[scene], rubric_.size, on, "");
+            const double right = frames[i].empty() ? 0 : compare(expected, frames[i]).share();
+            const auto [place, isNew] = share.emplace(states[i], right);
+            if (!isNew)
+                place->second = std::min(place->second, right);
+        }
+    }
+    for (Check& check : checks) {
+        double best = 0;
+        for (const std::string& state : statesOf().at(check.id))
+            best = std::max(best, creditFor(share[state]));
+        check.score = check.maxScore * best;
+        check.status = best >= 1 ? CheckStatus::pass : best > 0 ? CheckStatus::partial : CheckStatus::fail;
+        check.message =
+            best >= 1
+                ? (it ? "da solo, questo termine è giusto" : "alone, this term is right")
+                : (it ? "anche da solo, con gli altri spenti, questo termine non dà l'immagine attesa"
+                      : "alone, with the others off, this term does not give the expected picture either");
+    }
+    const auto failed = [&](const std::string& id) {
+        return std::any_of(checks.begin(), checks.end(),
+                           [&](const Check& one) { return one.id == id && one.status == CheckStatus::fail; });
+    };
+    for (Check& check : checks)
+        if (check.status == CheckStatus::fail &&
+            std::any_of(check.dependsOn.begin(), check.dependsOn.end(), failed)) {
+            check.status = CheckStatus::skipped;
+            check.message = it ? "non si può dire: prima deve essere giusto ciò da cui dipende"
+                               : "cannot be told: what it depends on must be right first";
+        }
+    // The frames are wrong and yet each term is right alone: then it is how they are put together.
+    if (std::all_of(checks.begin(), checks.end(),
+                    [](const Check& one) { return one.status == CheckStatus::pass; }))
+        for (Check& check : checks)
+            if (check.isNew || check.id == "sum") {
+                check.score = 0;
+                check.status = CheckStatus::fail;
+                check.message = it ? "ogni termine da solo è giusto, ma l'insieme no"
+                                   : "each term alone is right, but not all together";
+            }
+}
+
+PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
+                         const std::vector<std::string>& problems, const std::set<std::string>& shaders,
+                         const DrawStates& drawStates) const {
+    const bool it = language_ == Language::it;
+    const Evidence evidence(expected_, found);
+    PartVerdict verdict;
+    for (const TermCheck& term : rubric_.terms)
+        verdict.checks.push_back(start(term));
+    for (Check& check : verdict.checks)
+        check.message = it ? "l'immagine è giusta in tutte le scene" : "the picture is right in all scenes";
+    if (evidence.right())
+        return verdict;
+    const bool complete =
+        std::all_of(found.begin(), found.end(), [](const auto& frame) { return !frame.empty(); });
+    const std::vector<Blame> why = complete ? blames(found, shaders) : std::vector<Blame>();
+    if (!complete)
+        for (Check& check : verdict.checks) {
+            check.score = 0;
+            check.status = CheckStatus::fail;
+            for (std::size_t i = found.size(); i-- > 0;)
+                if (found[i].empty())
+                    check.message = (it ? "manca un'immagine: " : "a frame is missing: ") +
+                                    expected_[i].name() + ": " + problems[i];
+        }
+    else if (why.empty())
+        judgeByStates(verdict.checks, drawStates);
+    for (const Blame& one : why)
+        for (Check& check : verdict.checks)
+            if (std::find(one.checks.begin(), one.checks.end(), check.id) != one.checks.end()) {
+                check.score = check.maxScore * one.credit;
+                check.status = one.credit > 0 ? CheckStatus::partial : CheckStatus::fail;
+                check.message = one.message;
+                check.explanation = one.explanation;
+                check.hint = one.explanation ? one.explanation->hint : "";
+            }
+    for (Check& check : verdict.checks)
+        if (check.status == CheckStatus::pass && !why.empty())
+            check.message = it ? "non è questo l'errore" : "the mistake is not here";
+    verdict.pictures = evidence.pictures("terms", language_);
+    for (Check& check : verdict.checks) {
+        check.regions = evidence.regions();
+        if (check.status == CheckStatus::pass)
+            continue;
+        if (check.hint.empty())
+            check.hint = it ? "Rileggi le slide indicate e il TODO del termine, e confronta le immagini."
+                            : "Reread the slides named here and the term's TODO, and compare the pictures.";
+        check.worst = evidence.worstPixel();
+        for (const Picture& picture : verdict.pictures)
+            check.images.push_back(picture.image.id);
+    }
+    return verdict;
+}
+
+}  // namespace grader
