@@ -77,7 +77,8 @@ struct Check {
     std::optional<WorstPixel> worst;
     std::vector<RegionShare> regions;
     std::vector<std::string> images;  ///< ids of Report::images
-    std::string visibility = "visible";  ///< Gradescope's words: hidden, after_due_date, after_published, visible
+    std::string visibility =
+        "visible";  ///< Gradescope's words: hidden, after_due_date, after_published, visible
 };
 
 /// A PNG beside report.json.

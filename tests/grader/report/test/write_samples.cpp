@@ -1,0 +1,25 @@
+// Writes every sample report in every format, for a browser to show: FOLDER/<number>/report.html, ..., FOLDER/overview.html.
+// SPDX-License-Identifier: MIT
+#include "grader/report/formats/formats.hpp"
+#include "grader/report/test/samples.hpp"
+#include "image/write.hpp"
+
+#include <iostream>
+
+using namespace grader;
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: write_report_samples FOLDER\n";
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    std::size_t count = 0;
+    for (const Report& report : samples::all()) {
+        const std::filesystem::path own = folder / std::to_string(count++);
+        std::filesystem::create_directories(own);
+        samples::writeImages(report, own);
+        for (const Format each : parseFormats("gradescope,prairielearn,autolab,coderunner,vpl,junit,csv,html"))
+            image::writeText((own / fileNameOf(each)).string(), format(report, own, each));
+    }
+}
