@@ -152,7 +152,8 @@ std::vector<std::string> feedbackLines(const Report& report, const Check& check)
     for (const RegionShare& region : check.regions)
         lines.push_back("    " + regionName(language, region.name) + ": " + percent(region.right) +
                         say(language, " right", " giusto"));
-    add(say(language, "To reread", "Da rileggere"), slidesToReread(language, check.slides));
+    if (check.status != CheckStatus::pass)
+        add(say(language, "To reread", "Da rileggere"), slidesToReread(language, check.slides));
     return lines;
 }
 

@@ -90,7 +90,8 @@ std::string regions(Language language, const std::vector<RegionShare>& shares) {
     return std::string("<h3>") + say(language, "Part by part", "Parte per parte") +
            "</h3>\n<table class=\"share\"><thead><tr><th scope=\"col\">" + say(language, "part", "parte") +
            "</th><th scope=\"col\" colspan=\"2\">" + say(language, "as expected", "come atteso") +
-           "</th><th scope=\"col\">pixel</th></tr></thead>\n<tbody>" + rows + "</tbody></table>\n";
+           "</th><th scope=\"col\">" + say(language, "pixels", "pixel") + "</th></tr></thead>\n<tbody>" +
+           rows + "</tbody></table>\n";
 }
 
 std::string roleName(Language language, const std::string& role) {
@@ -118,6 +119,11 @@ std::string pictures(const Report& report, const Check& check, const std::filesy
 }
 
 }  // namespace
+
+bool hasCard(const Check& check) {
+    const bool quiet = check.status == CheckStatus::pass || check.status == CheckStatus::skipped;
+    return !quiet || check.explanation || check.worst || !check.images.empty();
+}
 
 std::string checkCard(const Report& report, const Check& check, std::size_t index,
                       const std::filesystem::path& folder) {

@@ -20,6 +20,8 @@ std::string scoreRing(const Report& report);
 /// <element class>text</element>, the text escaped; "" for an empty text.
 std::string element(const std::string& tag, const std::string& text, const std::string& styleClass = "");
 
+/// Does the check say more than a line of the list can?
+bool hasCard(const Check& check);
 /// One check of the student's page.
 std::string checkCard(const Report& report, const Check& check, std::size_t index,
                       const std::filesystem::path& folder);

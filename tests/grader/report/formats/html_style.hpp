@@ -34,9 +34,8 @@ a{color:var(--accent)}
 .notice{border-left:5px solid var(--partial)}
 .list{list-style:none;margin:0;padding:.4rem 0}
 .list li+li{border-top:1px solid var(--line)}
-.list a{display:flex;gap:.8rem;align-items:center;padding:.55rem 1.1rem;color:inherit;text-decoration:none}
-.list a:hover .name,.list a:focus-visible .name{text-decoration:underline}
-.list .name{flex:1;min-width:0;overflow-wrap:anywhere}
+.list .row{display:flex;gap:.8rem;align-items:baseline;padding:.55rem 1.1rem}
+.list .name{flex:1;min-width:0;overflow-wrap:anywhere}.list .name small{display:block;color:var(--soft);font-size:.86rem}
 .num{font-variant-numeric:tabular-nums;white-space:nowrap}
 .pill{display:inline-flex;gap:.4em;align-items:center;border-radius:99px;padding:.12rem .7rem;font-size:.84rem;font-weight:600;white-space:nowrap}
 .list .pill{min-width:7.2rem;justify-content:flex-start}
@@ -45,7 +44,7 @@ a{color:var(--accent)}
 .check{border-left:5px solid var(--line);scroll-margin-top:1rem}
 .check.is-pass{border-left-color:var(--pass)}.check.is-partial{border-left-color:var(--partial)}.check.is-fail{border-left-color:var(--fail)}
 .check header{display:flex;flex-wrap:wrap;gap:.4rem .9rem;align-items:center}
-.check h2{flex:1 1 16rem;min-width:0}
+.check h2{flex:1;min-width:0}
 .check .message{font-size:1.06rem;margin:.75rem 0 0}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.35rem 1.1rem;margin:.9rem 0 0}
 dt{color:var(--soft);font-size:.92rem}dd{margin:0;min-width:0;overflow-wrap:anywhere}
@@ -65,17 +64,28 @@ th,td{text-align:left;padding:.38rem .8rem .38rem 0;border-bottom:1px solid var(
 th{font-weight:600}thead th{color:var(--soft);font-size:.84rem}
 tbody tr:last-child>*{border-bottom:0}
 td.value,th.symbol{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.88rem;font-weight:400}
-.two{display:grid;grid-template-columns:1fr 1fr;gap:0 2rem}.two>*{min-width:0}
+.two{display:grid;grid-template-columns:1fr 1fr;gap:.6rem 2rem;align-items:start}.two>*{min-width:0}
 .swatch{display:inline-block;width:1.25em;height:1.25em;border-radius:5px;border:1px solid var(--soft);vertical-align:-.28em;margin-right:.55em;
 -webkit-print-color-adjust:exact;print-color-adjust:exact}
-.share td:nth-child(2){width:45%}
+.share td:nth-child(2){width:42%}.share .num,.share th:last-child,.files .num,.files th:last-child{text-align:right;padding-right:0}
+table.sortable th button{font:inherit;color:inherit;background:none;border:0;padding:0;cursor:pointer;text-align:left}
+table.sortable th button:hover{text-decoration:underline}
+th[aria-sort=ascending] button::after{content:" \25B2"}th[aria-sort=descending] button::after{content:" \25BC"}
+table.sortable td,table.sortable thead th{white-space:nowrap}table.sortable tbody th{font-weight:500}
+.sign{display:inline-block;width:1.55em;text-align:center;border-radius:6px;font-weight:700}
+.stack{display:flex;gap:2px;height:.75rem;border-radius:99px;overflow:hidden;min-width:7rem;-webkit-print-color-adjust:exact;print-color-adjust:exact}
+.stack i{display:block;height:100%}
+.checks thead th,.checks .num{text-align:center}.checks td:nth-child(2){width:34%}.checks tbody th{font-weight:500}
+.wrong td:nth-child(3){width:18%}.wrong td:last-child{width:38%}
+.scroll{overflow-x:auto}
 details{border-top:1px solid var(--line);padding:.55rem 0}details:first-of-type{border-top:0}
 summary{cursor:pointer;font-weight:600}
 pre{margin:.6rem 0 .2rem;padding:.85rem 1rem;background:var(--paper);border:1px solid var(--line);border-radius:9px;overflow:auto;max-height:28rem;
 font:.83rem/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono",monospace;white-space:pre-wrap;overflow-wrap:anywhere}
 footer{color:var(--soft);font-size:.85rem;margin-top:2rem;overflow-wrap:anywhere}
 @media(max-width:40rem){main{padding:1rem .75rem 3rem}h1{font-size:1.35rem}.card{padding:1rem}.top{gap:1rem;padding:1.1rem}.ring{width:86px;height:86px}
-.list{padding:.2rem 0}.list a{flex-wrap:wrap;gap:.2rem .7rem;padding:.55rem .9rem}.list .name{flex:1 0 100%;order:-1}.list .num{margin-left:auto}
+.list{padding:.2rem 0}.list .row{flex-wrap:wrap;gap:.25rem .7rem;padding:.6rem .9rem}.list .name{flex:1 0 100%;order:-1}.list .num{margin-left:auto}
+.check h2{flex:1 0 100%;order:3}.check header .num{margin-left:auto}.share td:nth-child(2){width:34%}
 .two{grid-template-columns:1fr}.pictures{grid-template-columns:1fr 1fr}
 .pictures figure:nth-child(3n){grid-column:1/-1}.pictures figure:nth-child(3n) img{max-width:calc(50% - .45rem)}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5rem}}
 @media print{:root{--paper:#fff;--card:#fff;--ink:#000;--soft:#444;--line:#bbb;--note:#f3f3f3}body{font-size:11pt}main{max-width:none;padding:0}

@@ -22,6 +22,9 @@ Report hostile();
 /// All of the above.
 std::vector<Report> all();
 
+/// all(), and as many as a class has, with all kinds of scores.
+std::vector<Report> aClass();
+
 /// Writes the pictures that `report` refers to into `folder`, side pixels high and wide.
 void writeImages(const Report& report, const std::filesystem::path& folder, int side = 192);
 

@@ -14,12 +14,17 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::filesystem::path folder = argv[1];
-    std::size_t count = 0;
-    for (const Report& report : samples::all()) {
-        const std::filesystem::path own = folder / std::to_string(count++);
+    std::vector<ClassMember> members;
+    for (const Report& report : samples::aClass()) {
+        const std::string name = std::to_string(members.size());
+        const std::filesystem::path own = folder / name;
+        members.push_back({report, name + "/report.html"});
         std::filesystem::create_directories(own);
         samples::writeImages(report, own);
-        for (const Format each : parseFormats("gradescope,prairielearn,autolab,coderunner,vpl,junit,csv,html"))
+        for (const Format each :
+             parseFormats("gradescope,prairielearn,autolab,coderunner,vpl,junit,csv,html"))
             image::writeText((own / fileNameOf(each)).string(), format(report, own, each));
     }
+    image::writeText((folder / "overview.html").string(), overview(members, Language::en));
+    image::writeText((folder / "marks.csv").string(), marksCsv(samples::aClass()));
 }
