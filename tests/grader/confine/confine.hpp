@@ -14,11 +14,13 @@ namespace grader {
 struct Limits {
     double wallSeconds = 20;
     double cpuSeconds = 20;  ///< of each process
-    std::uint64_t memoryBytes = std::uint64_t{3} << 30;  ///< address space of each process
+    std::uint64_t memoryBytes = std::uint64_t{3}
+                                << 30;  ///< address space of each process; memory of all together
     int processes = 64;  ///< and threads. Not below: llvmpipe waits for ever where it gets no threads
     std::uint64_t fileBytes = std::uint64_t{64} << 20;  ///< of each file that it writes
     std::uint64_t folderBytes = std::uint64_t{128}
                                 << 20;  ///< of all that it writes together (/box is in memory)
+    std::uint64_t files = 10'000;  ///< and folders, that it makes
     std::uint64_t saidBytes = 64 << 10;  ///< of stdout and stderr; the rest is passed over
 };
 
@@ -35,12 +37,17 @@ struct Wanted {
     bool exactly = true;
 };
 
+/// What to run. The current folder is /box, and /box/out is there. Where there are no namespaces, "inside" is a folder of its
+/// own: the texts are files in it, the mounts links. So that a job works in both, its words name files from /box on
+/// ("in/list.txt", "../lab/bin/program"), or as "{root}/lab/bin/program": {root} becomes nothing, or that folder.
+/// What must find its own place (image/home.hpp) is given as a text: a link would lead it to where it comes from.
 struct Job {
-    std::vector<std::string> command;  ///< command[0] is a path inside, or found in /usr/bin
+    std::vector<std::string> command;  ///< {root} is replaced; command[0] is a path, or found in /usr/bin
     std::vector<Mount> mounts;
     std::vector<std::pair<std::string, std::string>>
-        texts;  ///< files made of these texts, by their absolute names inside
-    std::vector<std::pair<std::string, std::string>> environment;  ///< added to PATH, HOME=/box, LANG=C.UTF-8
+        texts;  ///< files of any bytes, by their absolute names inside, not in a mount; executable, read-only outside /box
+    std::vector<std::pair<std::string, std::string>>
+        environment;  ///< {root} is replaced; added to PATH, HOME=/box, LANG=C.UTF-8 and what Mesa needs
     std::vector<Wanted> wanted;
     Limits limits;
 };
@@ -48,7 +55,7 @@ struct Job {
 /// How it ended.
 enum class Ended {
     exited,  ///< by itself, with `status`
-    killed,  ///< by signal `status`
+    killed,  ///< by signal `status`: its own, or ours at a limit (SIGKILL: memory; SIGXFSZ: what it writes)
     outOfTime,  ///< by us, at the end of its time (wall or processor)
     notStarted  ///< the confinement's own trouble, in `trouble`: infrastructure, never the submission's fault
 };
@@ -63,7 +70,8 @@ struct Returned {
 struct Outcome {
     Ended how = Ended::notStarted;
     int status = 0;
-    std::string trouble;
+    std::string trouble;  ///< of notStarted only
+    std::string limit;  ///< which limit ended it, in words: "more than 2 s on the clock"; else empty
     std::string
         said;  ///< stdout and stderr as they came, made harmless: valid UTF-8, no control characters but line feed
     bool saidMore = false;  ///< more than saidBytes
@@ -97,8 +105,11 @@ class Confinement {
     std::string description_;
 };
 
+/// Which: "bubblewrap", "landlock", "limits".
+const char* name(Walls walls);
+
 /// Text that can do no harm on a terminal or a page's source: valid UTF-8, no control characters but line feed and tab,
-/// no bidirectional overrides; every replaced byte becomes U+FFFD.
+/// no bidirectional overrides; every character or stray byte of another kind becomes U+FFFD.
 std::string harmless(const std::string& text);
 
 }  // namespace grader
