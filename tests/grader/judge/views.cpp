@@ -52,7 +52,7 @@ std::vector<View> hiddenViews(const Rubric& rubric, std::uint64_t seed, bool ita
                                              "--time",   text(between(engine, 0, rubric.seconds)),
                                              "--jitter", std::to_string(engine() % 1'000'000'000)};
         for (const Variant& variant : rubric.variants) {
-            View view{nameOf(i, variant, rubric, italian), &variant, place};
+            View view{nameOf(i, variant, rubric, italian), &variant, place, time};
             view.options.insert(view.options.end(), variant.options.begin(), variant.options.end());
             views.push_back(std::move(view));
         }
@@ -63,7 +63,7 @@ std::vector<View> hiddenViews(const Rubric& rubric, std::uint64_t seed, bool ita
 std::vector<View> publicViews(const Rubric& rubric, bool italian) {
     std::vector<View> views;
     for (const Variant& variant : rubric.variants)
-        views.push_back({nameOf(1, variant, rubric, italian), &variant, variant.options});
+        views.push_back({nameOf(1, variant, rubric, italian), &variant, variant.options, 0});
     return views;
 }
 

@@ -1,0 +1,85 @@
+// Results on disk.
+// SPDX-License-Identifier: MIT
+#include "grader/class/result.hpp"
+
+#include "image/write.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+#include <unistd.h>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* keyFile = "grading.json";
+constexpr const char* keySchema = "lambert-lab/grading/1";
+
+Json object(const std::map<std::string, std::string>& texts, const Grader& grader) {
+    Json all = Json::object();
+    for (const auto& [name, hash] : texts)
+        if (!grader.isCommon(hash))
+            all[name] = hash;
+    return all;
+}
+
+std::string keyText(const Graded& graded, const ResultKey& key, const Grader& grader) {
+    Json json;
+    json["schema"] = keySchema;
+    json["submission"] = key.submission;
+    json["tool"] = key.tool;
+    json["rubric"] = key.rubric;
+    json["sources"] = object(graded.sources, grader);
+    json["files"] = object(graded.files, grader);
+    json["frames"] = graded.frames;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string textOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return in ? text.str() : "";
+}
+
+}  // namespace
+
+fs::path resultsFolder(const fs::path& report) { return report / "results"; }
+
+void writeResult(const Graded& graded, const ResultKey& key, const Grader& grader, const fs::path& folder,
+                 const std::string& formats) {
+    const std::string mark = "." + std::to_string(getpid());  // a process writes one result at a time
+    const fs::path fresh = folder.parent_path() / (mark + ".new"), old = folder.parent_path() / (mark + ".old");
+    fs::remove_all(fresh);
+    fs::remove_all(old);
+    writeReport(graded, fresh, formats);
+    image::writeText((fresh / keyFile).string(), keyText(graded, key, grader));
+    std::error_code none;
+    fs::rename(folder, old, none);
+    fs::rename(fresh, folder);
+    fs::remove_all(old, none);
+}
+
+std::optional<Result> readResult(const fs::path& folder) {
+    try {
+        Result result;
+        result.report = reportFromJson(textOf(folder / "report.json"));
+        const Json json = Json::parse(textOf(folder / keyFile));
+        if (json.at("schema") != keySchema)
+            return std::nullopt;
+        result.key = {json.at("submission"), json.at("tool"), json.at("rubric")};
+        result.sources = json.at("sources");
+        result.files = json.at("files");
+        result.frames = json.at("frames");
+        return result;
+    } catch (const std::exception&) {  // cut short, or of another version: it is graded again
+        return std::nullopt;
+    }
+}
+
+}  // namespace grader

@@ -1,0 +1,128 @@
+// What all submissions of a lesson have in common.
+// SPDX-License-Identifier: MIT
+#include "grader/grading/grader.hpp"
+
+#include "grader/grading/drawings.hpp"
+#include "grader/submission/hash.hpp"
+#include "image/home.hpp"
+#include "starter.hpp"
+#include "three/validate.hpp"
+
+#include <fstream>
+#include <sstream>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in)
+        throw std::runtime_error(file.string() + ": cannot be read; is the lab built or installed as a whole?");
+    return text.str();
+}
+
+nuovo::Lesson lessonCalled(const fs::path& share, const std::string& asked) {
+    try {
+        return nuovo::findStarter(nuovo::readLessons(share / "lessons"), asked);
+    } catch (const nuovo::NoStarter& error) {
+        throw UsageError(error.what());
+    }
+}
+
+Rubric rubricFor(const nuovo::Lesson& lesson, const fs::path& share, const fs::path& asked) {
+    try {
+        const fs::path own = share / "lessons" / (lesson.stem + ".rubric.json");
+        Rubric rubric = Rubric::read(asked.empty() ? own : asked);
+        if (rubric.lesson != lesson.stem)
+            throw std::runtime_error(asked.string() + ": lesson: expected \"" + lesson.stem + "\", found \"" + rubric.lesson + "\"");
+        return rubric;
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
+bool italian(const GraderOptions& options) { return options.language == Language::it; }
+
+}  // namespace
+
+Grader::Grader(const GraderOptions& options)
+    : options_(options), home_(image::home()), texts_(home_ / "share/lambert-lab/slides_refs/misconceptions.json"),
+      shaders_(labShaders()) {
+    readLesson();
+    for (const TermCheck& check : rubric_.terms)
+        try {
+            texts_.check(check.id);
+        } catch (const std::out_of_range& error) {
+            throw UsageError(rubric_.lesson + ": terms: " + error.what());
+        }
+    confinement_ = options.walls ? std::make_unique<Confinement>(*options.walls) : std::make_unique<Confinement>();
+    kit_ = std::make_unique<Kit>(findKit());
+    hashTool();
+    const std::uint64_t seed = options.seed.value_or(rubric_.seed);
+    std::vector<View> views = options.publicViews ? publicViews(rubric_, italian(options))
+                                                  : hiddenViews(rubric_, seed, italian(options));
+    const auto scenes = lessonScenes(views);
+    steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes);
+    terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front());
+}
+
+Grader::~Grader() = default;
+
+// The lesson's texts: title, starters, what every right submission has in it.
+void Grader::readLesson() {
+    const fs::path share = home_ / "share/lambert-lab";
+    const nuovo::Lesson lesson = lessonCalled(share, options_.lesson);
+    rubric_ = rubricFor(lesson, share, options_.rubric);
+    title_ = lesson.title;
+    expectations_.lesson = lesson.stem;
+    common_.insert(sha256(withoutComments(textOf(lesson.file))));
+    for (const auto& [name, text] : shaders_) {
+        expectations_.shaders.push_back(name);
+        common_.insert({sha256(text), sha256(withoutComments(text))});
+    }
+    for (const std::string& required : rubric_.required)
+        expectations_.keepNeutral = expectations_.keepNeutral || required != "lesson";
+    for (const char* lang : {"it", "en"}) {
+        const nuovo::Folder starter = nuovo::makeStarter(lesson, share / "slides_refs/tasks.json", share / "shaders", lang);
+        expectations_.starters.emplace_back();
+        for (const auto& [name, text] : starter) {
+            expectations_.starters.back()[name] = text;
+            common_.insert({sha256(text), sha256(withoutComments(text))});
+        }
+    }
+}
+
+void Grader::hashTool() {
+    std::string all = sha256(textOf("/proc/self/exe")) + sha256(textOf(kit_->library)) + sha256(programBytes(rubric_.lesson)) +
+                      std::to_string(options_.seed.value_or(rubric_.seed)) + (options_.publicViews ? "public" : "hidden") +
+                      (italian(options_) ? "it" : "en") + name(confinement_->walls());
+    for (const auto& [name, text] : shaders_)
+        all += sha256(name) + sha256(text);
+    toolHash_ = sha256(all);
+}
+
+// The lesson's own scenes, as its program writes them.
+std::vector<std::shared_ptr<const THREE::LoadedScene>> Grader::lessonScenes(const std::vector<View>& views) const {
+    std::vector<std::shared_ptr<const THREE::LoadedScene>> scenes;
+    Drawing drawing = drawingOf(rubric_, programBytes(rubric_.lesson), shaders_);
+    for (const View& view : views) {
+        const Dump dump = dumpAt(*confinement_, *kit_, drawing, view, 0);
+        if (!dump.problem.empty())
+            throw std::runtime_error("the lesson's own program gives no scene: " + dump.problem + ". It says: " + dump.outcome.said +
+                                     dump.outcome.trouble);
+        scenes.push_back(loadScene(dump.scene));
+    }
+    return scenes;
+}
+
+void Grader::prepare() const {
+    steps_->prepare();
+    terms_->prepare();
+}
+
+}  // namespace grader

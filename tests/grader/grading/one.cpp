@@ -1,0 +1,277 @@
+// One submission on its way from files to a report.
+// SPDX-License-Identifier: MIT
+#include "grader/grading/drawings.hpp"
+#include "grader/grading/grader.hpp"
+#include "grader/judge/marks.hpp"
+#include "grader/submission/hash.hpp"
+
+#include <chrono>
+
+namespace grader {
+
+namespace {
+
+class Stopwatch {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - start_).count();
+        start_ = now;
+        return seconds;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The grader's own trouble while a submission was at hand.
+class Trouble : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+std::string digest(const std::vector<std::vector<float>>& frames) {
+    std::string all;
+    for (const std::vector<float>& frame : frames)
+        all.append(reinterpret_cast<const char*>(frame.data()), frame.size() * sizeof(float));
+    return sha256(all);
+}
+
+}  // namespace
+
+class Grader::One {
+  public:
+    One(const Grader& grader, const std::filesystem::path& path, int slot)
+        : grader_(grader), slot_(slot), it_(grader.options_.language == Language::it),
+          submission_(readSubmission(path, grader.expectations_, grader.options_.language)) {}
+
+    Graded run() {
+        start();
+        try {
+            if (!submission_.problem.empty()) {
+                report().status = ReportStatus::notGradable;
+                report().reason = submission_.problem;
+                return std::move(graded_);
+            }
+            missingParts();
+            if (submission_.lesson)
+                lessonPart();
+            if (!submission_.shaders.empty())
+                termsPart();
+            report().status = ReportStatus::graded;
+            addUp(report(), grader_.rubric_.points);
+        } catch (const Trouble& trouble) {
+            report().status = ReportStatus::infrastructure;
+            report().reason = trouble.what();
+            report().checks.clear();
+            graded_.pictures.clear();
+            report().score = report().maxScore = 0;
+        }
+        return std::move(graded_);
+    }
+
+  private:
+    Report& report() { return graded_.report; }
+    const char* say(const char* it, const char* en) const { return it_ ? it : en; }
+
+    void start() {
+        Report& report = graded_.report;
+        report.toolVersion = LAMBERT_VERSION;
+        report.rubricHash = grader_.rubric_.hash;
+        report.lesson = grader_.rubric_.lesson;
+        report.lessonTitle = grader_.title_;
+        report.language = grader_.options_.language;
+        report.submission = submission_.name;
+        report.submissionHash = submission_.hash;
+        report.files = submission_.files;
+        report.confinement = grader_.confinement_->description();
+        report.maxScore = grader_.rubric_.points;
+        const auto note = [&](const std::string& part, const std::string& text) {
+            graded_.sources[part] = sha256(withoutComments(text));
+            graded_.files[part] = sha256(text);
+        };
+        if (submission_.lesson)
+            note("lesson", submission_.lesson->text);
+        for (const auto& [name, text] : submission_.shaders)
+            note(name, text);
+    }
+
+    Check gate(const char* id, const char* it, const char* en) const {
+        Check check;
+        check.id = id;
+        check.title = say(it, en);
+        check.isNew = false;
+        return check;
+    }
+
+    // Checks of a part that cannot be looked at.
+    void skip(std::vector<Check> checks, CheckStatus status, const std::string& message) {
+        for (Check& check : checks) {
+            check.status = status;
+            check.score = 0;
+            check.message = message;
+            report().checks.push_back(std::move(check));
+        }
+    }
+    std::vector<Check> stepChecks() const {
+        const std::vector<std::vector<float>> nothing(grader_.steps_->views().size());
+        return grader_.steps_->judge(nothing, std::vector<std::string>(nothing.size()), [](std::size_t) { return nullptr; }).checks;
+    }
+
+    void missingParts() {
+        for (const std::string& part : grader_.rubric_.required) {
+            if (submission_.has(part))
+                continue;
+            const std::string message = part + ": " + say("non è stato consegnato", "was not handed in");
+            if (part == "lesson") {
+                skip(stepChecks(), CheckStatus::fail, message);
+                continue;
+            }
+            Check check = gate(part.c_str(), part.c_str(), part.c_str());
+            for (const TermCheck& term : grader_.rubric_.terms)
+                if (part == "terms/" + term.id + ".glsl")
+                    check.maxScore = submission_.shaders.empty() ? term.points : 0;
+            check.status = CheckStatus::fail;
+            check.message = message;
+            report().checks.push_back(std::move(check));
+        }
+    }
+
+    void lessonPart() {
+        Stopwatch watch;
+        Source source{submission_.lesson->name, submission_.lesson->text, {}};
+        for (const NamedText& header : submission_.headers)
+            source.headers.emplace_back(header.name, header.text);
+        const Built built = build(*grader_.confinement_, *grader_.kit_, source, slot_);
+        report().compileSeconds += watch.lap();
+        report().buildLog = built.log;
+        if (built.how == Ended::notStarted)
+            throw Trouble(built.trouble);
+        Check builds = gate("builds", "il programma si compila", "the program builds");
+        builds.status = built.ok ? CheckStatus::pass : CheckStatus::fail;
+        if (!built.ok)
+            builds.message = say("il compilatore lo rifiuta: vedi che cosa dice", "the compiler refuses it: see what it says");
+        report().checks.push_back(builds);
+        if (!built.ok) {
+            skip(stepChecks(), CheckStatus::skipped, say("il programma non si compila", "the program does not build"));
+            return;
+        }
+        Drawing drawing = drawingOf(grader_.rubric_, built.program, grader_.shaders_);
+        for (const View& view : grader_.steps_->views())
+            drawing.lines.push_back(lineOf(view));
+        const Frames drawn = drawn_(drawing, "runs", watch);
+        judge([&] {
+            return grader_.steps_->judge(drawn.frames, drawn.problems,
+                                         [&](std::size_t view) { return sceneOf(drawing, view); });
+        }, drawn, watch);
+    }
+
+    std::shared_ptr<const THREE::LoadedScene> sceneOf(Drawing drawing, std::size_t view) const {
+        drawing.lines.clear();
+        const Dump dump = dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view], slot_);
+        if (!dump.problem.empty())
+            return nullptr;
+        try {
+            return loadScene(dump.scene);
+        } catch (const std::exception&) {  // whatever it is, it explains no frame
+            return nullptr;
+        }
+    }
+
+    void termsPart() {
+        Stopwatch watch;
+        std::map<std::string, std::string> shaders = grader_.shaders_;
+        std::set<std::string> names;
+        for (const auto& [name, text] : submission_.shaders) {
+            shaders[name] = text;
+            names.insert(name);
+        }
+        const auto& scenes = grader_.terms_->scenes();
+        Frames all;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            const Frames drawn = drawn_(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr, watch);
+            all.frames.push_back(drawn.frames.front());
+            all.problems.push_back(drawn.problems.front());
+        }
+        judge([&] {
+            return grader_.terms_->judge(all.frames, all.problems, names,
+                                         [&](std::size_t scene, const std::vector<std::string>& states) {
+                                             return drawn_(sceneDrawing(shaders, scene, states), nullptr, watch).frames;
+                                         });
+        }, all, watch);
+    }
+
+    Drawing sceneDrawing(const std::map<std::string, std::string>& shaders, std::size_t scene,
+                         const std::vector<std::string>& states) const {
+        static const std::string viewer = programBytes("scene_viewer");
+        Drawing drawing = drawingOf(grader_.rubric_, viewer, shaders);
+        const THREE::LoadedScene& shown = *grader_.terms_->scenes()[scene];
+        drawing.words = {"in/scene.json"};
+        drawing.files = {{"scene.json", THREE::toJSON(*shown.scene, shown.camera)}};
+        for (const std::string& state : states)
+            drawing.lines.push_back("--terms " + state);
+        return drawing;
+    }
+
+    // Draws; where `check` names one, says in it whether frames came back, and why not.
+    Frames drawn_(const Drawing& drawing, const char* check, Stopwatch& watch) {
+        Frames drawn = draw(*grader_.confinement_, *grader_.kit_, drawing, slot_);
+        report().framesSeconds += watch.lap();
+        if (drawn.outcome.how == Ended::notStarted)
+            throw Trouble(drawn.outcome.trouble);
+        if (check == nullptr)
+            return drawn;
+        if (report().said.size() < 4096)
+            report().said += drawn.outcome.said;
+        Check runs = gate(check, "", "");
+        runs.title = check == std::string("runs") ? say("il programma disegna", "the program draws")
+                                                  : say("gli shader disegnano", "the shaders draw");
+        runs.status = CheckStatus::pass;
+        for (std::size_t i = drawn.frames.size(); i-- > 0;)
+            if (drawn.frames[i].empty()) {
+                runs.status = CheckStatus::fail;
+                runs.message = drawn.problems[i];
+            }
+        if (runs.status == CheckStatus::fail)
+            runs.message = whyNot(drawn.outcome) + runs.message;
+        report().checks.push_back(runs);
+        return drawn;
+    }
+    std::string whyNot(const Outcome& outcome) const {
+        if (!outcome.limit.empty())
+            return outcome.limit + "; ";
+        if (outcome.how == Ended::killed)
+            return std::string(say("fermato dal segnale ", "ended by signal ")) + std::to_string(outcome.status) + "; ";
+        if (outcome.how == Ended::exited && outcome.status != 0)
+            return std::string(say("finito con lo stato ", "ended with status ")) + std::to_string(outcome.status) + "; ";
+        return "";
+    }
+
+    template <class Judge>
+    void judge(const Judge& part, const Frames& drawn, Stopwatch& watch) {
+        PartVerdict verdict = part();
+        countOldOnlyWithNew(verdict.checks, grader_.options_.language);
+        bool right = true;
+        for (Check& check : verdict.checks) {
+            right = right && check.status == CheckStatus::pass;
+            report().checks.push_back(std::move(check));
+        }
+        if (!right)
+            graded_.frames = sha256(graded_.frames + digest(drawn.frames));
+        for (Picture& picture : verdict.pictures) {
+            report().images.push_back(picture.image);
+            graded_.pictures.push_back(std::move(picture));
+        }
+        report().judgeSeconds += watch.lap();
+    }
+
+    const Grader& grader_;
+    int slot_;
+    bool it_;
+    Submission submission_;
+    Graded graded_;
+};
+
+Graded Grader::grade(const std::filesystem::path& submission, int slot) const { return One(*this, submission, slot).run(); }
+
+}  // namespace grader
