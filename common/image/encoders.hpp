@@ -1,4 +1,4 @@
-// The two formats that `image` writes itself, and how it reaches the others. Internal to common/image.
+// The three formats that `image` writes itself, and how it reaches the others. Internal to common/image.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,6 +12,7 @@ namespace image {
 // Each writes a checked frame to an open file and throws Error when that fails; the caller closes the file.
 void encodePng(std::FILE* file, const Frame& frame, const Metadata& metadata);
 void encodeExr(std::FILE* file, const Frame& frame, const Metadata& metadata);
+void encodePfm(std::FILE* file, const Frame& frame);  // has no place for metadata
 
 // The module's file name and its one C entry. It encodes the frame in the format of `extension` (lower case,
 // with its dot) to memory: on a full disk some of OpenImageIO's writers report success and one ends the

@@ -45,9 +45,9 @@ fs::path findTarget(const std::string& path) {
 std::string lowerExtension(const std::string& path) {
     std::string extension = fs::path(path).extension().string();
     if (extension.size() < 2) {
-        throw Error(
-            "the name has no extension, which chooses the format; expected .png, .exr, .tif, .jpg, .hdr or "
-            "another that OpenImageIO writes; add one");
+        throw Error("the name has no extension, which chooses the format; expected .png, .exr, .pfm, .tif, "
+                    ".jpg, .hdr or "
+                    "another that OpenImageIO writes; add one");
     }
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
@@ -72,7 +72,7 @@ OiioEncode* loadEncoder() {
     void* const entry = loadModule(oiioModule, oiioEntry, reason);
     if (entry == nullptr) {
         throw Error(std::string("this format needs the module ") + oiioModule + ", which does not load: " +
-                    reason + "; build or install it there, or write .png or .exr");
+                    reason + "; build or install it there, or write .png, .exr or .pfm");
     }
     return reinterpret_cast<OiioEncode*>(entry);
 }
@@ -99,6 +99,8 @@ void writeOrThrow(const std::string& path, const Frame& frame, const Metadata& m
         encodePng(file.stream(), frame, metadata);
     } else if (extension == ".exr") {
         encodeExr(file.stream(), frame, metadata);
+    } else if (extension == ".pfm") {
+        encodePfm(file.stream(), frame);
     } else {
         encodeThroughModule(file.stream(), extension, frame, metadata);
     }

@@ -141,8 +141,8 @@ void addFiles(CLI::App& app, Options& options) {
         app.add_option(name, into, text(it, en))->check(notEmpty(name));
     };
     add("--frame", options.frame,
-        "FILE: disegna un'immagine senza finestra (.png, o .exr in virgola mobile) ed esce",
-        "FILE: draws one frame without a window (.png, or .exr in floats) and leaves");
+        "FILE: disegna un'immagine senza finestra (.png, o .exr e .pfm in virgola mobile) ed esce",
+        "FILE: draws one frame without a window (.png, or .exr and .pfm in floats) and leaves");
     add("--frames-from", options.framesFrom,
         "FILE: un'immagine per ogni riga di opzioni del file, - per stdin; ogni riga ha il suo --frame",
         "FILE: a frame for each line of options in it, - for stdin; each line has a --frame of its own");

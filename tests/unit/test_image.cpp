@@ -51,6 +51,21 @@ TEST_F(Image, FloatsComeBackBitForBit) {
     EXPECT_TRUE(std::isnan(floatsOf(image::readFrame("nan.exr"))[0]));
 }
 
+TEST_F(Image, PfmIsHeaderAndFloatsFromBelow) {
+    image::write("a.pfm", {2, 2, Floats{1, 2, 3, 4, 5, 6, 7, 8, -infinite, 10, 11, 12}},
+                 {{"lesson", "none"}});
+    const Floats stored = {7, 8, -infinite, 10, 11, 12, 1, 2, 3, 4, 5, 6};
+    std::string expected = "PF\n2 2\n-1.0\n";
+    expected.append(reinterpret_cast<const char*>(stored.data()), stored.size() * sizeof(float));
+    EXPECT_EQ(contents("a.pfm"), expected);
+    image::write("b.PFM", wildFloats(), {});
+    EXPECT_EQ(contents("b.PFM").size(),
+              std::string("PF\n13 40\n-1.0\n").size() + 13 * 40 * 3 * sizeof(float));
+    image::write("codes.pfm", codes(), {});
+    image::write("floats.pfm", {17, 31, image::toFloats(codes())}, {});
+    EXPECT_EQ(contents("codes.pfm"), contents("floats.pfm"));
+}
+
 TEST_F(Image, FloatsToCodes) {
     const float half = 0.5F;  // 127.5, a true half: to the even 128; its neighbour below goes down
     const Frame frame = {
