@@ -17,7 +17,8 @@ Shard parseShard(const std::string& text);
 Shard shardOfEnvironment();
 
 struct ClassOptions {
-    std::filesystem::path submissions;  ///< each entry is one: a folder, an archive, a .cpp or .glsl; those that begin with a dot are none
+    std::filesystem::path
+        submissions;  ///< each entry is one: a folder, an archive, a .cpp or .glsl; those that begin with a dot are none
     std::filesystem::path report;  ///< results/<submission>/, marks.csv, overview.html
     int jobs = 1;  ///< processes at a time
     bool resume = false;  ///< keep results whose submission, tool and rubric are unchanged

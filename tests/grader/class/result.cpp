@@ -54,7 +54,8 @@ fs::path resultsFolder(const fs::path& report) { return report / "results"; }
 void writeResult(const Graded& graded, const ResultKey& key, const Grader& grader, const fs::path& folder,
                  const std::string& formats) {
     const std::string mark = "." + std::to_string(getpid());  // a process writes one result at a time
-    const fs::path fresh = folder.parent_path() / (mark + ".new"), old = folder.parent_path() / (mark + ".old");
+    const fs::path fresh = folder.parent_path() / (mark + ".new"),
+                   old = folder.parent_path() / (mark + ".old");
     fs::remove_all(fresh);
     fs::remove_all(old);
     writeReport(graded, fresh, formats);

@@ -25,8 +25,8 @@ struct Result {
 /// Where the results of a class stand: report/results.
 std::filesystem::path resultsFolder(const std::filesystem::path& report);
 /// Writes a result in place of the one that is there: whole, by rename.
-void writeResult(const Graded& graded, const ResultKey& key, const Grader& grader, const std::filesystem::path& folder,
-                 const std::string& formats);
+void writeResult(const Graded& graded, const ResultKey& key, const Grader& grader,
+                 const std::filesystem::path& folder, const std::string& formats);
 /// Reads one; none if it is missing or not whole.
 std::optional<Result> readResult(const std::filesystem::path& folder);
 

@@ -17,13 +17,17 @@ std::string shared(const std::map<std::string, std::string>& a, const std::map<s
 }
 
 std::string howAlike(const Result& a, const Result& b, bool it) {
-    const auto part = [it](const std::string& name) { return name == "lesson" ? std::string(it ? "il programma" : "the program") : name; };
+    const auto part = [it](const std::string& name) {
+        return name == "lesson" ? std::string(it ? "il programma" : "the program") : name;
+    };
     if (const std::string name = shared(a.files, b.files); !name.empty())
         return part(name) + (it ? ": lo stesso file, byte per byte" : ": the same file, byte for byte");
     if (const std::string name = shared(a.sources, b.sources); !name.empty())
-        return part(name) + (it ? ": lo stesso testo, a parte commenti e spazi" : ": the same text but for comments and blanks");
+        return part(name) + (it ? ": lo stesso testo, a parte commenti e spazi"
+                                : ": the same text but for comments and blanks");
     if (!a.frames.empty() && a.frames == b.frames)
-        return it ? "immagini sbagliate e uguali fino all'ultimo bit" : "frames that are wrong and equal to the last bit";
+        return it ? "immagini sbagliate e uguali fino all'ultimo bit"
+                  : "frames that are wrong and equal to the last bit";
     return "";
 }
 

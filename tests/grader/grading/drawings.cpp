@@ -22,7 +22,8 @@ std::vector<std::string> optionsOf(const View& view) {
 
 }  // namespace
 
-Drawing drawingOf(const Rubric& rubric, std::string program, const std::map<std::string, std::string>& shaders) {
+Drawing drawingOf(const Rubric& rubric, std::string program,
+                  const std::map<std::string, std::string>& shaders) {
     Drawing drawing;
     drawing.program = std::move(program);
     drawing.shaders = shaders;

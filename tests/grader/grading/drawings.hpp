@@ -11,7 +11,8 @@
 namespace grader {
 
 /// A drawing without lines: the program in the rubric's size, with these shaders and the lamp's state.
-Drawing drawingOf(const Rubric& rubric, std::string program, const std::map<std::string, std::string>& shaders);
+Drawing drawingOf(const Rubric& rubric, std::string program,
+                  const std::map<std::string, std::string>& shaders);
 /// The line of a view, for Drawing::lines.
 std::string lineOf(const View& view);
 /// The scene at a view, as the program itself describes it.

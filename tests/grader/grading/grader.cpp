@@ -22,7 +22,8 @@ std::string textOf(const fs::path& file) {
     std::ostringstream text;
     text << in.rdbuf();
     if (!in)
-        throw std::runtime_error(file.string() + ": cannot be read; is the lab built or installed as a whole?");
+        throw std::runtime_error(file.string() +
+                                 ": cannot be read; is the lab built or installed as a whole?");
     return text.str();
 }
 
@@ -39,7 +40,8 @@ Rubric rubricFor(const nuovo::Lesson& lesson, const fs::path& share, const fs::p
         const fs::path own = share / "lessons" / (lesson.stem + ".rubric.json");
         Rubric rubric = Rubric::read(asked.empty() ? own : asked);
         if (rubric.lesson != lesson.stem)
-            throw std::runtime_error(asked.string() + ": lesson: expected \"" + lesson.stem + "\", found \"" + rubric.lesson + "\"");
+            throw std::runtime_error(asked.string() + ": lesson: expected \"" + lesson.stem + "\", found \"" +
+                                     rubric.lesson + "\"");
         return rubric;
     } catch (const std::runtime_error& error) {
         throw UsageError(error.what());
@@ -51,8 +53,8 @@ bool italian(const GraderOptions& options) { return options.language == Language
 }  // namespace
 
 Grader::Grader(const GraderOptions& options)
-    : options_(options), home_(image::home()), texts_(home_ / "share/lambert-lab/slides_refs/misconceptions.json"),
-      shaders_(labShaders()) {
+    : options_(options), home_(image::home()),
+      texts_(home_ / "share/lambert-lab/slides_refs/misconceptions.json"), shaders_(labShaders()) {
     readLesson();
     for (const TermCheck& check : rubric_.terms)
         try {
@@ -60,7 +62,8 @@ Grader::Grader(const GraderOptions& options)
         } catch (const std::out_of_range& error) {
             throw UsageError(rubric_.lesson + ": terms: " + error.what());
         }
-    confinement_ = options.walls ? std::make_unique<Confinement>(*options.walls) : std::make_unique<Confinement>();
+    confinement_ =
+        options.walls ? std::make_unique<Confinement>(*options.walls) : std::make_unique<Confinement>();
     kit_ = std::make_unique<Kit>(findKit());
     hashTool();
     const std::uint64_t seed = options.seed.value_or(rubric_.seed);
@@ -88,7 +91,8 @@ void Grader::readLesson() {
     for (const std::string& required : rubric_.required)
         expectations_.keepNeutral = expectations_.keepNeutral || required != "lesson";
     for (const char* lang : {"it", "en"}) {
-        const nuovo::Folder starter = nuovo::makeStarter(lesson, share / "slides_refs/tasks.json", share / "shaders", lang);
+        const nuovo::Folder starter =
+            nuovo::makeStarter(lesson, share / "slides_refs/tasks.json", share / "shaders", lang);
         expectations_.starters.emplace_back();
         for (const auto& [name, text] : starter) {
             expectations_.starters.back()[name] = text;
@@ -98,23 +102,26 @@ void Grader::readLesson() {
 }
 
 void Grader::hashTool() {
-    std::string all = sha256(textOf("/proc/self/exe")) + sha256(textOf(kit_->library)) + sha256(programBytes(rubric_.lesson)) +
-                      std::to_string(options_.seed.value_or(rubric_.seed)) + (options_.publicViews ? "public" : "hidden") +
-                      (italian(options_) ? "it" : "en") + name(confinement_->walls());
+    std::string all = sha256(textOf("/proc/self/exe")) + sha256(textOf(kit_->library)) +
+                      sha256(programBytes(rubric_.lesson)) +
+                      std::to_string(options_.seed.value_or(rubric_.seed)) +
+                      (options_.publicViews ? "public" : "hidden") + (italian(options_) ? "it" : "en") +
+                      name(confinement_->walls());
     for (const auto& [name, text] : shaders_)
         all += sha256(name) + sha256(text);
     toolHash_ = sha256(all);
 }
 
 // The lesson's own scenes, as its program writes them.
-std::vector<std::shared_ptr<const THREE::LoadedScene>> Grader::lessonScenes(const std::vector<View>& views) const {
+std::vector<std::shared_ptr<const THREE::LoadedScene>>
+Grader::lessonScenes(const std::vector<View>& views) const {
     std::vector<std::shared_ptr<const THREE::LoadedScene>> scenes;
     Drawing drawing = drawingOf(rubric_, programBytes(rubric_.lesson), shaders_);
     for (const View& view : views) {
         const Dump dump = dumpAt(*confinement_, *kit_, drawing, view, 0);
         if (!dump.problem.empty())
-            throw std::runtime_error("the lesson's own program gives no scene: " + dump.problem + ". It says: " + dump.outcome.said +
-                                     dump.outcome.trouble);
+            throw std::runtime_error("the lesson's own program gives no scene: " + dump.problem +
+                                     ". It says: " + dump.outcome.said + dump.outcome.trouble);
         scenes.push_back(loadScene(dump.scene));
     }
     return scenes;

@@ -25,7 +25,8 @@ struct GraderOptions {
 struct Graded {
     Report report;
     std::vector<Picture> pictures;
-    std::map<std::string, std::string> sources;  ///< SHA-256 of each part without comments and blanks, for similarity: "lesson"
+    std::map<std::string, std::string>
+        sources;  ///< SHA-256 of each part without comments and blanks, for similarity: "lesson"
     std::map<std::string, std::string> files;  ///< SHA-256 of each part as it is
     std::string frames;  ///< SHA-256 of all frames where one is wrong; else empty
 };
@@ -40,6 +41,9 @@ class Grader {
     void prepare() const;
     /// Never throws for what is in a submission. `slot`: see Confinement::run.
     Graded grade(const std::filesystem::path& submission, int slot = 0) const;
+
+    /// SHA-256 of a submission's files, as Report::submissionHash.
+    std::string hashOf(const std::filesystem::path& submission) const;
 
     const Rubric& rubric() const { return rubric_; }
     const std::string& lessonTitle() const { return title_; }

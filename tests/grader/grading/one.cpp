@@ -115,7 +115,9 @@ class Grader::One {
     }
     std::vector<Check> stepChecks() const {
         const std::vector<std::vector<float>> nothing(grader_.steps_->views().size());
-        return grader_.steps_->judge(nothing, std::vector<std::string>(nothing.size()), [](std::size_t) { return nullptr; }).checks;
+        return grader_.steps_
+            ->judge(nothing, std::vector<std::string>(nothing.size()), [](std::size_t) { return nullptr; })
+            .checks;
     }
 
     void missingParts() {
@@ -150,25 +152,30 @@ class Grader::One {
         Check builds = gate("builds", "il programma si compila", "the program builds");
         builds.status = built.ok ? CheckStatus::pass : CheckStatus::fail;
         if (!built.ok)
-            builds.message = say("il compilatore lo rifiuta: vedi che cosa dice", "the compiler refuses it: see what it says");
+            builds.message = say("il compilatore lo rifiuta: vedi che cosa dice",
+                                 "the compiler refuses it: see what it says");
         report().checks.push_back(builds);
         if (!built.ok) {
-            skip(stepChecks(), CheckStatus::skipped, say("il programma non si compila", "the program does not build"));
+            skip(stepChecks(), CheckStatus::skipped,
+                 say("il programma non si compila", "the program does not build"));
             return;
         }
         Drawing drawing = drawingOf(grader_.rubric_, built.program, grader_.shaders_);
         for (const View& view : grader_.steps_->views())
             drawing.lines.push_back(lineOf(view));
-        const Frames drawn = drawn_(drawing, "runs", watch);
-        judge([&] {
-            return grader_.steps_->judge(drawn.frames, drawn.problems,
-                                         [&](std::size_t view) { return sceneOf(drawing, view); });
-        }, drawn, watch);
+        const Frames drawn = drawAll(drawing, "runs", watch);
+        judge(
+            [&] {
+                return grader_.steps_->judge(drawn.frames, drawn.problems,
+                                             [&](std::size_t view) { return sceneOf(drawing, view); });
+            },
+            drawn, watch);
     }
 
     std::shared_ptr<const THREE::LoadedScene> sceneOf(Drawing drawing, std::size_t view) const {
         drawing.lines.clear();
-        const Dump dump = dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view], slot_);
+        const Dump dump =
+            dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view], slot_);
         if (!dump.problem.empty())
             return nullptr;
         try {
@@ -189,16 +196,20 @@ class Grader::One {
         const auto& scenes = grader_.terms_->scenes();
         Frames all;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
-            const Frames drawn = drawn_(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr, watch);
+            const Frames drawn =
+                drawAll(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr, watch);
             all.frames.push_back(drawn.frames.front());
             all.problems.push_back(drawn.problems.front());
         }
-        judge([&] {
-            return grader_.terms_->judge(all.frames, all.problems, names,
-                                         [&](std::size_t scene, const std::vector<std::string>& states) {
-                                             return drawn_(sceneDrawing(shaders, scene, states), nullptr, watch).frames;
-                                         });
-        }, all, watch);
+        judge(
+            [&] {
+                return grader_.terms_->judge(
+                    all.frames, all.problems, names,
+                    [&](std::size_t scene, const std::vector<std::string>& states) {
+                        return drawAll(sceneDrawing(shaders, scene, states), nullptr, watch).frames;
+                    });
+            },
+            all, watch);
     }
 
     Drawing sceneDrawing(const std::map<std::string, std::string>& shaders, std::size_t scene,
@@ -214,7 +225,7 @@ class Grader::One {
     }
 
     // Draws; where `check` names one, says in it whether frames came back, and why not.
-    Frames drawn_(const Drawing& drawing, const char* check, Stopwatch& watch) {
+    Frames drawAll(const Drawing& drawing, const char* check, Stopwatch& watch) {
         Frames drawn = draw(*grader_.confinement_, *grader_.kit_, drawing, slot_);
         report().framesSeconds += watch.lap();
         if (drawn.outcome.how == Ended::notStarted)
@@ -241,9 +252,11 @@ class Grader::One {
         if (!outcome.limit.empty())
             return outcome.limit + "; ";
         if (outcome.how == Ended::killed)
-            return std::string(say("fermato dal segnale ", "ended by signal ")) + std::to_string(outcome.status) + "; ";
+            return std::string(say("fermato dal segnale ", "ended by signal ")) +
+                   std::to_string(outcome.status) + "; ";
         if (outcome.how == Ended::exited && outcome.status != 0)
-            return std::string(say("finito con lo stato ", "ended with status ")) + std::to_string(outcome.status) + "; ";
+            return std::string(say("finito con lo stato ", "ended with status ")) +
+                   std::to_string(outcome.status) + "; ";
         return "";
     }
 
@@ -272,6 +285,12 @@ class Grader::One {
     Graded graded_;
 };
 
-Graded Grader::grade(const std::filesystem::path& submission, int slot) const { return One(*this, submission, slot).run(); }
+std::string Grader::hashOf(const std::filesystem::path& submission) const {
+    return readSubmission(submission, expectations_, options_.language).hash;
+}
+
+Graded Grader::grade(const std::filesystem::path& submission, int slot) const {
+    return One(*this, submission, slot).run();
+}
 
 }  // namespace grader

@@ -31,7 +31,8 @@ class Lesson {
         std::vector<Scene> scenes;
         for (const std::string& text : dumps_)
             scenes.push_back(load(text));
-        steps_ = std::make_unique<grader::Steps>(rubric_, texts(), grader::Language::en, std::move(views), scenes);
+        steps_ =
+            std::make_unique<grader::Steps>(rubric_, texts(), grader::Language::en, std::move(views), scenes);
     }
     const grader::Rubric& rubric() const { return rubric_; }
     /// The checks that lose points when the program's scene is the lesson's, changed like this.
@@ -46,8 +47,10 @@ class Lesson {
         }
         return idsOf(judge(frames, [&](std::size_t view) { return scenes[view]; }));
     }
-    std::vector<Check> judge(const std::vector<std::vector<float>>& frames, const grader::Steps::SceneAt& sceneAt) const {
-        return steps_->judge(frames, std::vector<std::string>(frames.size(), "was not written"), sceneAt).checks;
+    std::vector<Check> judge(const std::vector<std::vector<float>>& frames,
+                             const grader::Steps::SceneAt& sceneAt) const {
+        return steps_->judge(frames, std::vector<std::string>(frames.size(), "was not written"), sceneAt)
+            .checks;
     }
     std::vector<std::vector<float>> right() const {
         std::vector<std::vector<float>> frames;
@@ -68,8 +71,9 @@ class Lesson {
   private:
     std::string dump(const grader::View& view) const {
         const support::TemporaryDirectory directory;
-        std::vector<std::string> line{rubric_.lesson, "--dump-scene", "scene.json", "--size", "96x96", "--time",
-                                      std::to_string(view.time)};
+        std::vector<std::string> line{
+            rubric_.lesson, "--dump-scene",           "scene.json", "--size", "96x96",
+            "--time",       std::to_string(view.time)};
         line.insert(line.end(), view.options.begin(), view.options.end());
         if (view.variant->lamp) {
             support::writeFile(directory.path() / "lamp.json", grader::lampState(rubric_.lesson, 96));
@@ -112,31 +116,45 @@ struct Wrong {
     std::set<std::string> lost;
     Change change;
 };
-std::ostream& operator<<(std::ostream& out, const Wrong& wrong) { return out << wrong.lesson << ": " << wrong.what; }
+std::ostream& operator<<(std::ostream& out, const Wrong& wrong) {
+    return out << wrong.lesson << ": " << wrong.what;
+}
 
 const std::set<std::string> nothing;
 
 const std::vector<Wrong>& changes() {
     using THREE::AmbientLight, THREE::DirectionalLight, THREE::Mesh, THREE::PointLight;
     static const std::vector<Wrong> all{
-        {"lesson_01_material", "the colour's channels are swapped", {"36.2"},
+        {"lesson_01_material",
+         "the colour's channels are swapped",
+         {"36.2"},
          [](THREE::Scene& s) { nth<Mesh>(s, 0).material->color.set(0x5588FF); }},
-        {"lesson_01_material", "the floor's colour is another", {"36"},
+        {"lesson_01_material",
+         "the floor's colour is another",
+         {"36"},
          [](THREE::Scene& s) { nth<Mesh>(s, 1).material->color.set(0x778899); }},
-        {"lesson_02_directional_light", "no light", {"36.3", "36.4"},
+        {"lesson_02_directional_light",
+         "no light",
+         {"36.3", "36.4"},
          [](THREE::Scene& s) { remove(nth<DirectionalLight>(s, 0)); }},
-        {"lesson_02_directional_light", "the light shines the other way", {"36.4"},
+        {"lesson_02_directional_light",
+         "the light shines the other way",
+         {"36.4"},
          [](THREE::Scene& s) { nth<DirectionalLight>(s, 0).position.multiplyScalar(-1); }},
         {"lesson_02_directional_light", "a direction of another length", nothing,
          [](THREE::Scene& s) { nth<DirectionalLight>(s, 0).position.multiplyScalar(7); }},
-        {"lesson_02_directional_light", "the light is grey", {"36.4"},
+        {"lesson_02_directional_light",
+         "the light is grey",
+         {"36.4"},
          [](THREE::Scene& s) { nth<DirectionalLight>(s, 0).color.set(0x888888); }},
         {"lesson_02_directional_light", "half of the colour is in the intensity", nothing,
          [](THREE::Scene& s) {
              nth<DirectionalLight>(s, 0).color.multiplyScalar(0.5);
              nth<DirectionalLight>(s, 0).intensity = 2;
          }},
-        {"lesson_03_point_light", "the bulb hangs on the other side", {"37.6"},
+        {"lesson_03_point_light",
+         "the bulb hangs on the other side",
+         {"37.6"},
          [](THREE::Scene& s) { nth<PointLight>(s, 0).position.x *= -1; }},
         {"lesson_03_point_light", "two bulbs of half the strength", nothing,
          [](THREE::Scene& s) {
@@ -145,30 +163,54 @@ const std::vector<Wrong>& changes() {
              nth<PointLight>(s, 0).intensity = 0.5;
              s.add(std::move(other));
          }},
-        {"lesson_03_point_light", "no sun any more", {"before"},
+        {"lesson_03_point_light",
+         "no sun any more",
+         {"before"},
          [](THREE::Scene& s) { remove(nth<DirectionalLight>(s, 0)); }},
-        {"lesson_04_ambient", "ten times too bright", {"43"},
+        {"lesson_04_ambient",
+         "ten times too bright",
+         {"43"},
          [](THREE::Scene& s) { nth<AmbientLight>(s, 0).intensity = 10; }},
         {"lesson_04_ambient", "two halves", nothing,
          [](THREE::Scene& s) {
              nth<AmbientLight>(s, 0).intensity = 0.5;
              s.add(std::make_unique<AmbientLight>(THREE::Color(0x101010), 0.5));
          }},
-        {"lesson_05_attenuation", "decay forgotten", {"31"}, [](THREE::Scene& s) { nth<PointLight>(s, 0).decay = 0; }},
-        {"lesson_05_attenuation", "intensity forgotten", {"31"},
+        {"lesson_05_attenuation",
+         "decay forgotten",
+         {"31"},
+         [](THREE::Scene& s) { nth<PointLight>(s, 0).decay = 0; }},
+        {"lesson_05_attenuation",
+         "intensity forgotten",
+         {"31"},
          [](THREE::Scene& s) { nth<PointLight>(s, 0).intensity = 1; }},
-        {"lesson_06_many_lights", "one lamp is missing", {"38", "39"},
+        {"lesson_06_many_lights",
+         "one lamp is missing",
+         {"38", "39"},
          [](THREE::Scene& s) { remove(nth<PointLight>(s, 3)); }},
-        {"lesson_06_many_lights", "twice as strong as the slider says", {"39"},
+        {"lesson_06_many_lights",
+         "twice as strong as the slider says",
+         {"39"},
          [](THREE::Scene& s) {
              for (std::size_t i = 1; i <= 12; ++i)
                  nth<PointLight>(s, i).intensity *= 2;
          }},
-        {"lesson_07_normal_space", "not squashed", {"33"}, [](THREE::Scene& s) { nth<Mesh>(s, 0).scale.set(1, 1, 1); }},
-        {"lesson_08_shading_frequency", "both balls smooth", {"33"},
+        {"lesson_07_normal_space",
+         "not squashed",
+         {"33"},
+         [](THREE::Scene& s) { nth<Mesh>(s, 0).scale.set(1, 1, 1); }},
+        {"lesson_08_shading_frequency",
+         "both balls smooth",
+         {"33"},
          [](THREE::Scene& s) { nth<Mesh>(s, 3).material->flatShading = false; }},
-        {"lesson_09_phong", "exponent forgotten", {"45"}, [](THREE::Scene& s) { shiny(s, 0).shininess = 30; }},
-        {"lesson_09_phong", "K_S forgotten", {"45"}, [](THREE::Scene& s) { shiny(s, 0).specular.set(0x111111); }},
+        {"lesson_09_phong",
+         "exponent forgotten",
+         {"45"},
+         [](THREE::Scene& s) { shiny(s, 0).shininess = 30; }},
+        {"lesson_09_phong",
+         "K_S forgotten",
+         {"45"},
+         [](THREE::Scene& s) { shiny(s, 0).specular.set(0x111111); }},
     };
     return all;
 }
@@ -200,7 +242,8 @@ TEST(Steps, AMissingFrameFailsTheStepsThatNeedIt) {
     frames[1].clear();  // the slider's
     const auto none = [](std::size_t) { return Scene(); };
     const std::vector<Check> checks = lesson.judge(frames, none);
-    const auto slider = std::find_if(checks.begin(), checks.end(), [](const Check& one) { return one.id == "39"; });
+    const auto slider =
+        std::find_if(checks.begin(), checks.end(), [](const Check& one) { return one.id == "39"; });
     ASSERT_NE(slider, checks.end());
     EXPECT_EQ(slider->score, 0);
     EXPECT_NE(slider->message.find("was not written"), std::string::npos) << slider->message;

@@ -48,9 +48,10 @@ std::vector<View> hiddenViews(const Rubric& rubric, std::uint64_t seed, bool ita
     std::mt19937_64 engine(seed);
     std::vector<View> views;
     for (int i = 1; i <= rubric.views; ++i) {
-        const std::vector<std::string> place{"--camera", camera(rubric, engine),
-                                             "--time",   text(between(engine, 0, rubric.seconds)),
-                                             "--jitter", std::to_string(engine() % 1'000'000'000)};
+        const std::string from = camera(rubric, engine);
+        const double time = std::round(between(engine, 0, rubric.seconds) * 1000) / 1000;
+        const std::vector<std::string> place{"--camera", from, "--jitter",
+                                             std::to_string(engine() % 1'000'000'000)};
         for (const Variant& variant : rubric.variants) {
             View view{nameOf(i, variant, rubric, italian), &variant, place, time};
             view.options.insert(view.options.end(), variant.options.begin(), variant.options.end());

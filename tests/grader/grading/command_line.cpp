@@ -1,0 +1,78 @@
+// Command lines and terminals.
+// SPDX-License-Identifier: MIT
+#include "grader/grading/command_line.hpp"
+
+#include "lab/options.hpp"
+
+#include <cstdio>
+
+namespace grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* wordFor(CheckStatus status, bool it) {
+    switch (status) {
+    case CheckStatus::pass:
+        return it ? "giusto  " : "pass    ";
+    case CheckStatus::partial:
+        return it ? "in parte" : "partial ";
+    case CheckStatus::fail:
+        return it ? "no      " : "fail    ";
+    default:
+        return it ? "saltato " : "skipped ";
+    }
+}
+
+std::string points(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", x);
+    return text;
+}
+
+}  // namespace
+
+Language languageOf(const std::string& text) {
+    const bool it = text.empty() ? lab::languageOfLocale() == lab::Language::it : text == "it";
+    return it ? Language::it : Language::en;
+}
+
+std::optional<Walls> wallsOf(const std::string& text) {
+    for (const Walls walls : {Walls::bubblewrap, Walls::landlock, Walls::limits})
+        if (text == name(walls))
+            return walls;
+    return std::nullopt;
+}
+
+std::string summary(const Report& report) {
+    const bool it = report.language == Language::it;
+    std::string text;
+    for (const Check& check : report.checks) {
+        text += std::string(wordFor(check.status, it)) + "  " + check.id + "  " + check.title;
+        if (check.maxScore > 0)
+            text += "  " + points(check.score) + "/" + points(check.maxScore);
+        if (check.status != CheckStatus::pass)
+            text += "\n          " + check.message + (check.hint.empty() ? "" : "\n          " + check.hint);
+        text += "\n";
+    }
+    if (report.status == ReportStatus::graded)
+        text += std::string(it ? "punti " : "points ") + points(report.score) + "/" +
+                points(report.maxScore) + "\n";
+    else
+        text += report.reason + "\n";
+    return harmless(text);
+}
+
+void replaceReport(const Graded& graded, const fs::path& folder, const std::string& formats) {
+    const fs::path clean = (folder / "").parent_path();
+    if (fs::exists(clean) && !fs::is_empty(clean)) {
+        if (!fs::is_regular_file(clean / "report.json"))
+            throw UsageError(clean.string() + ": holds something that is no report; expected a new folder, "
+                                              "an empty one, or an earlier report");
+        fs::remove_all(clean);
+    }
+    writeReport(graded, clean, formats);
+}
+
+}  // namespace grader
