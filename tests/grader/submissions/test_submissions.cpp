@@ -37,13 +37,14 @@ bool isRow(const std::string& id) {
     return std::any_of(rows.begin(), rows.end(), [&](const Misconception& row) { return row.id == id; });
 }
 
-// Lights are in uniforms, so that all scenes share a submission's programs.
-image::Floats draw(THREE::LoadedScene& loaded, render::GlRenderer& renderer) {
+// Lights are in uniforms, so that all scenes share a submission's programs, or `constant` in them.
+image::Floats draw(THREE::LoadedScene& loaded, render::GlRenderer& renderer, bool constant = false) {
     loaded.scene->updateMatrixWorld();
     loaded.camera->updateWorldMatrix();
     THREE::validate(*loaded.scene, *loaded.camera);
     lighting::Settings settings;
-    settings.constantLights = 0;
+    if (!constant)
+        settings.constantLights = 0;
     const image::Frame frame = renderer.render(*loaded.scene, *loaded.camera, settings, {size, size, true});
     return std::get<image::Floats>(frame.pixels);
 }
@@ -77,6 +78,8 @@ void judgeShaders(const std::string& id, render::GlRenderer& renderer, Finish fi
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
         THREE::LoadedScene hidden = grader::hiddenScene(seed, finish);
         judge(id, draw(hidden, renderer), predictions(seed, finish));
+        if (id[0] == 'R' && seed == 0)
+            judge(id, draw(hidden, renderer, true), predictions(seed, finish));
     }
 }
 
