@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace {
 
@@ -83,6 +84,13 @@ void judgeShaders(const std::string& id, render::GlRenderer& renderer, Finish fi
     }
 }
 
+void write(const Files& files, const std::filesystem::path& folder) {
+    for (const auto& [name, text] : files) {
+        std::filesystem::create_directories((folder / name).parent_path());
+        support::writeFile(folder / name, text);
+    }
+}
+
 class Shaders : public testing::TestWithParam<char> {};
 
 TEST_P(Shaders, DrawWhatTheirRowPredicts) {
@@ -91,10 +99,7 @@ TEST_P(Shaders, DrawWhatTheirRowPredicts) {
         if (id[0] != GetParam())
             continue;
         const support::TemporaryDirectory folder;
-        for (const auto& [name, text] : grader::shaderSubmission(id)) {
-            std::filesystem::create_directories((folder.path() / name).parent_path());
-            support::writeFile(folder.path() / name, text);
-        }
+        write(grader::shaderSubmission(id), folder.path());
         render::GlRenderer renderer(render::findShaderDirectory(folder.path().string()));
         if (id[0] != 'H')
             judgeShaders(id, renderer, Finish::matte);
@@ -105,6 +110,28 @@ TEST_P(Shaders, DrawWhatTheirRowPredicts) {
 
 INSTANTIATE_TEST_SUITE_P(Letter, Shaders, testing::Values('A', 'B', 'C', 'D', 'E', 'F', 'G', 'H', 'R'),
                          [](const auto& test) { return std::string(1, test.param); });
+
+// What a grader must not give a name to, however near one is.
+TEST(Unnamed, AreWrongAndNoRowExplainsThem) {
+    support::renderer();
+    for (const std::string& name : grader::unnamedSubmissions()) {
+        const support::TemporaryDirectory folder;
+        write(grader::unnamedSubmission(name), folder.path());
+        render::GlRenderer renderer(render::findShaderDirectory(folder.path().string()));
+        for (std::uint64_t seed = 0; seed < 2; ++seed) {
+            THREE::LoadedScene hidden = grader::hiddenScene(seed, Finish::matte);
+            const image::Floats drawn = draw(hidden, renderer);
+            const WrongFrames& frames = predictions(seed, Finish::matte);
+            std::pair<double, std::string> nearest(1, "");
+            for (const Misconception& row : grader::misconceptions())
+                nearest =
+                    std::min(nearest, {apart(frames.frame(row), drawn, frames.counted()).share, row.id});
+            std::printf("  %-28s %6.2f %% from %s\n", name.c_str(), 100 * nearest.first,
+                        nearest.second.c_str());
+            EXPECT_GE(nearest.first, 0.002) << name << " is as " << nearest.second;
+        }
+    }
+}
 
 TEST(Submissions, AreThereForEveryRowThatAShaderCanDraw) {
     const std::vector<std::string> written = grader::shaderSubmissions();
