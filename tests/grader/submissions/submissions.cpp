@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grader/submissions/submissions.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -155,7 +156,8 @@ Files submission(const std::string& kind, const fs::path& originals, const std::
         throw std::runtime_error("no submission is called '" + id + "'; expected " + edit.string());
     const std::string text = fs::exists(edit) ? readText(edit) : std::string();
     const std::string base = basedOn(text);
-    Files files = base.empty() ? Files() : submission(kind, originals, base, depth + 1);
+    Files files =
+        base.empty() ? Files() : submission(kind == "unnamed" ? "terms" : kind, originals, base, depth + 1);
     if (fs::exists(whole))
         for (const auto& entry : fs::recursive_directory_iterator(whole))
             if (entry.is_regular_file())
@@ -179,6 +181,9 @@ Files edited(Files files, std::string_view edit, const std::string& name, const 
 
 Files shaderSubmission(const std::string& id) { return submission("terms", root / "shaders", id); }
 std::vector<std::string> shaderSubmissions() { return submissions("terms"); }
+
+Files unnamedSubmission(const std::string& name) { return submission("unnamed", root / "shaders", name); }
+std::vector<std::string> unnamedSubmissions() { return submissions("unnamed"); }
 
 Files lessonSubmission(const std::string& id) { return submission("lessons", root / "lessons", id); }
 std::vector<std::string> lessonSubmissions() { return submissions("lessons"); }

@@ -35,6 +35,10 @@ Files shaderSubmission(const std::string& id);
 /// The ids that shaderSubmission() knows, sorted.
 std::vector<std::string> shaderSubmissions();
 
+/// The same for wrong shaders that are no row of the catalogue, though some come near one: nothing explains them.
+Files unnamedSubmission(const std::string& name);
+std::vector<std::string> unnamedSubmissions();
+
 /// The same for lessons: files of lessons/.
 Files lessonSubmission(const std::string& id);
 std::vector<std::string> lessonSubmissions();

@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "lights.glsl"
 
-#if AMBIENT_IS_CONSTANT
-const vec3 ambientLight = AMBIENT_LIGHT;
-#else
-uniform vec3 ambientLight;
-#endif
-
-uniform vec3 eyePosition, specularColor;
+uniform vec3 ambientLight, eyePosition, specularColor;
 uniform float shininess;
 
 vec3 add(vec3 a, vec3 b) { return a + b; }
