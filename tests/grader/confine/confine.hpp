@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "grader/report/text.hpp"  // harmless(): what Outcome::said went through
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -107,9 +109,5 @@ class Confinement {
 
 /// Which: "bubblewrap", "landlock", "limits".
 const char* name(Walls walls);
-
-/// Text that can do no harm on a terminal or a page's source: valid UTF-8, no control characters but line feed and tab,
-/// no bidirectional overrides; every character or stray byte of another kind becomes U+FFFD.
-std::string harmless(const std::string& text);
 
 }  // namespace grader

@@ -4,8 +4,6 @@
 
 #include "lab/options.hpp"
 
-#include <cstdio>
-
 namespace grader {
 
 namespace {
@@ -23,12 +21,6 @@ const char* wordFor(CheckStatus status, bool it) {
     default:
         return it ? "saltato " : "skipped ";
     }
-}
-
-std::string points(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", x);
-    return text;
 }
 
 }  // namespace

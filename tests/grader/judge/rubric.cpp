@@ -109,7 +109,7 @@ class Node {
 };
 
 StepCheck stepCheck(const Node& node) {
-    node.only({"id", "slides", "points", "new", "title", "expected", "aspects", "variants"});
+    node.only({"id", "slides", "points", "new", "title", "expected", "aspects", "keeps", "variants"});
     StepCheck check;
     check.id = node.at("id").text();
     check.slides = node.at("slides").list([](const Node& one) { return one.integer(1, 999); });
@@ -118,6 +118,8 @@ StepCheck stepCheck(const Node& node) {
     check.title = node.at("title").words();
     check.expected = node.at("expected").words();
     check.aspects = node.at("aspects").texts();
+    if (node.has("keeps"))
+        check.keeps = node.at("keeps").texts();
     if (node.has("variants"))
         check.variants = node.at("variants").texts();
     return check;

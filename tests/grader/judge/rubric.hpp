@@ -20,8 +20,10 @@ struct StepCheck {
     double points = 0;
     bool isNew = true;
     BothLanguages title, expected;
+    /// Of the scene, see scene_difference.hpp: "point[0].decay"; * and ? stand for anything. Each that is right earns its share of the points.
+    std::vector<std::string> aspects;
     std::vector<std::string>
-        aspects;  ///< of the scene, see scene_difference.hpp: "point[0].decay"; * and ? stand for anything
+        keeps;  ///< aspects that the starter has right already: they earn nothing and cost as much
     std::vector<std::string> variants;  ///< ids of frames without which the check fails; empty: all
 };
 

@@ -20,6 +20,11 @@ bool needs(const StepCheck& step, const View& view) {
            std::find(step.variants.begin(), step.variants.end(), view.variant->id) != step.variants.end();
 }
 
+bool isMeant(const std::vector<std::string>& patterns, const std::string& name) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&](const std::string& pattern) { return pattern != "*" && matches(pattern, name); });
+}
+
 void grade(Check& check, double share) {
     check.score = check.maxScore * share;
     check.status = share >= 1 ? CheckStatus::pass : share > 0 ? CheckStatus::partial : CheckStatus::fail;
@@ -102,35 +107,35 @@ std::optional<Aspects> Steps::aspects(const std::vector<std::vector<float>>& fou
     return all.empty() ? std::nullopt : std::optional(all);
 }
 
-// The names that a check means. "*" means all that no other check names.
-std::vector<std::string> Steps::aspectsOf(const StepCheck& check, const Aspects& all) const {
+// The names that no check means: those of "*".
+std::vector<std::string> Steps::restOf(const Aspects& all) const {
     std::vector<std::string> names;
-    const auto meant = [](const StepCheck& step, const std::string& name) {
-        return std::any_of(step.aspects.begin(), step.aspects.end(), [&](const std::string& pattern) {
-            return pattern != "*" && matches(pattern, name);
-        });
-    };
-    const bool rest = std::find(check.aspects.begin(), check.aspects.end(), "*") != check.aspects.end();
     for (const auto& [name, aspect] : all) {
-        const bool taken = std::any_of(rubric_.steps.begin(), rubric_.steps.end(),
-                                       [&](const StepCheck& step) { return meant(step, name); });
-        if (meant(check, name) || (rest && !taken))
+        const bool taken =
+            std::any_of(rubric_.steps.begin(), rubric_.steps.end(), [&](const StepCheck& step) {
+                return isMeant(step.aspects, name) || isMeant(step.keeps, name);
+            });
+        if (!taken)
             names.push_back(name);
     }
     return names;
 }
 
 void Steps::judgeByScene(const StepCheck& step, const Aspects& aspects, Check& check) const {
-    const std::vector<std::string> names = aspectsOf(step, aspects);
-    std::vector<std::string> wrong;
+    const bool rest = std::find(step.aspects.begin(), step.aspects.end(), "*") != step.aspects.end();
+    std::vector<std::string> names, wrong;
+    for (const auto& [name, aspect] : aspects)
+        if (isMeant(step.aspects, name) || (!aspect.right && isMeant(step.keeps, name)))
+            names.push_back(name);
+    if (rest)
+        for (const std::string& name : restOf(aspects))
+            names.push_back(name);
     for (const std::string& name : names)
         if (!aspects.at(name).right)
             wrong.push_back(inWords(name, aspects.at(name), language_));
+    grade(check,
+          names.empty() ? 1 : 1 - static_cast<double>(wrong.size()) / static_cast<double>(names.size()));
     wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
-    std::size_t bad = 0;
-    for (const std::string& name : names)
-        bad += aspects.at(name).right ? 0U : 1U;
-    grade(check, names.empty() ? 1 : 1 - static_cast<double>(bad) / static_cast<double>(names.size()));
     constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i)
         check.message += (i == 0 ? "" : "; ") + wrong[i];

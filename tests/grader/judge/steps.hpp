@@ -43,7 +43,7 @@ class Steps {
   private:
     std::optional<Aspects> aspects(const std::vector<std::vector<float>>& found,
                                    const SceneAt& sceneAt) const;
-    std::vector<std::string> aspectsOf(const StepCheck& check, const Aspects& all) const;
+    std::vector<std::string> restOf(const Aspects& all) const;
     void judgeByScene(const StepCheck& step, const Aspects& aspects, Check& check) const;
     std::optional<Explanation> explanation(const std::vector<std::vector<float>>& found) const;
     Check start(const StepCheck& step) const;

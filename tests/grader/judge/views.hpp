@@ -13,7 +13,8 @@ namespace grader {
 struct View {
     std::string name;  ///< in words, for reports: "view 2", "view 2, slider"; says nothing of its numbers
     const Variant* variant;  ///< of the rubric
-    std::vector<std::string> options;  ///< of the lab's command line; not --frame, --size, --time, the lamp's state
+    std::vector<std::string>
+        options;  ///< of the lab's command line; not --frame, --size, --time, the lamp's state
     double time = 0;  ///< for --time, seconds
 };
 
