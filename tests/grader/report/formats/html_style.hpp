@@ -84,7 +84,7 @@ pre{margin:.6rem 0 .2rem;padding:.85rem 1rem;background:var(--paper);border:1px 
 font:.83rem/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono",monospace;white-space:pre-wrap;overflow-wrap:anywhere}
 footer{color:var(--soft);font-size:.85rem;margin-top:2rem;overflow-wrap:anywhere}
 @media(max-width:40rem){main{padding:1rem .75rem 3rem}h1{font-size:1.35rem}.card{padding:1rem}.top{gap:1rem;padding:1.1rem}.ring{width:86px;height:86px}
-.list{padding:.2rem 0}.list .row{flex-wrap:wrap;gap:.25rem .7rem;padding:.6rem .9rem}.list .name{flex:1 0 100%;order:-1}.list .num{margin-left:auto}
+.list{padding:.2rem 0}.list .row{flex-wrap:wrap;gap:.25rem .7rem;padding:.6rem .9rem}.list .name{flex:1 0 100%;order:-1}.list .num{margin-left:auto}.list .pill{min-width:0}
 .check h2{flex:1 0 100%;order:3}.check header .num{margin-left:auto}.share td:nth-child(2){width:34%}
 .two{grid-template-columns:1fr}.pictures{grid-template-columns:1fr 1fr}
 .pictures figure:nth-child(3n){grid-column:1/-1;display:grid;grid-template-columns:1fr 1fr;gap:.9rem;align-items:center}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5rem}}
