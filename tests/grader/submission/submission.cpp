@@ -96,11 +96,12 @@ class Sorter {
 
     // A starter brings its terms along, as neutral elements: where none was written, they are not what is handed in.
     void leaveNeutralShaders() {
-        if (!submission_.lesson || submission_.shaders.empty() || expected_.keepNeutral)
-            return;
         for (const auto& [name, text] : submission_.shaders)
-            if (!isNeutral(name, text))
-                return;
+            if (isNeutral(name, text))
+                submission_.untouched.insert(fs::path(name).stem());
+        if (!submission_.lesson || submission_.shaders.empty() || expected_.keepNeutral ||
+            submission_.untouched.size() < submission_.shaders.size())
+            return;
         for (SubmittedFile& file : submission_.files)
             if (file.role == "term") {
                 file.role = "leftOut";
