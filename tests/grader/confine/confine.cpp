@@ -70,13 +70,6 @@ const char* name(Walls walls) {
     return walls == Walls::bubblewrap ? "bubblewrap" : walls == Walls::landlock ? "landlock" : "limits";
 }
 
-std::optional<uid_t> userOf(int slot) {
-    if (::geteuid() != 0) {
-        return {};
-    }
-    return static_cast<uid_t>(64000 + (slot % 500 + 500) % 500);
-}
-
 const std::vector<std::string>& systemFolders() {
     static const std::vector<std::string> folders = {
         "/usr/bin",     "/usr/lib",     "/usr/lib32",       "/usr/lib64",         "/usr/libx32",

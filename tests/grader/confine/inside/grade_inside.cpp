@@ -189,8 +189,10 @@ int main(int argc, char** argv) {
     }
     const int job = std::atoi(argv[1]);
     const int result = std::atoi(argv[2]);
-    ::fcntl(result, F_SETFD, FD_CLOEXEC);
-    ::fcntl(job, F_SETFD, FD_CLOEXEC);
+    for (int file = 3; file < 1024;
+         ++file) {  // the command inherits what it reads and says, and nothing else
+        ::fcntl(file, F_SETFD, FD_CLOEXEC);
+    }
     ::signal(SIGPIPE, SIG_IGN);
     Task task;
     int out = -1;
