@@ -52,6 +52,10 @@ void check(const Job& job) {
     }
     for (const Mount& mount : job.mounts) {
         checkPath(mount.to);
+        std::error_code error;
+        if (!std::filesystem::exists(mount.from, error)) {
+            refuse("it needs " + mount.from.string() + ", which is not there, or not for this user");
+        }
     }
     for (const auto& text : job.texts) {
         checkPath(text.first);

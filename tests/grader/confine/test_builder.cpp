@@ -100,6 +100,6 @@ TEST_P(Builder, SeesOnlyTheShadersThatItIsGiven) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Walls, Builder, testing::Values(Walls::bubblewrap, Walls::landlock),
-                         [](const auto& info) { return std::string(grader::name(info.param)); });
+                         [](const auto& walls) { return std::string(grader::name(walls.param)); });
 
 }  // namespace

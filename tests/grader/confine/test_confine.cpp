@@ -120,7 +120,7 @@ TEST_P(Confine, SaysWhatHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Walls, Confine, testing::Values(Walls::bubblewrap, Walls::landlock, Walls::limits),
-                         [](const auto& info) { return std::string(grader::name(info.param)); });
+                         [](const auto& walls) { return std::string(grader::name(walls.param)); });
 
 TEST(ConfineText, HarmlessKeepsTextAndNothingElse) {
     const std::string good = "Grüße, ω·n ≥ 0 ✓\n\tline\n";

@@ -10,11 +10,19 @@
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <regex>
 #include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
+
+namespace grader {
+
+/// In the names of tests.
+inline void PrintTo(Walls walls, std::ostream* out) { *out << name(walls); }
+
+}  // namespace grader
 
 namespace hostile {
 
@@ -29,6 +37,14 @@ struct Case {
     const char* problem;  ///< of all of the frame's problem; "" is a frame without one
     const char* says = "";  ///< somewhere in what it said, or in the compiler's log
 };
+
+/// In the names of tests.
+inline void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
+/// A slot for each, so that tests side by side do not take each other's processes for their own.
+inline int slotOf(const std::string& name, grader::Walls walls) {
+    return static_cast<int>(std::hash<std::string>()(name + grader::name(walls)) % 499);
+}
 
 /// "exited 0", "killed 9: more than 256 MB of memory", "out of time: more than 1 s on the clock", "not started: why"
 inline std::string endingOf(const grader::Outcome& outcome) {

@@ -16,19 +16,24 @@ grader::Limits tightForCompilers() {
     return limits;
 }
 
-const Case builds[] = {
-    {"template_bomb", "", "", "stopped: more than|terminated|out of memory|virtual memory|CPU time"},
-    {"template_recursion", "", "", "template instantiation depth"},
-    {"constexpr_loop", "", "", "loop iteration count exceeds|operation count exceeds|stopped: more than"},
-    {"macro_bomb", "", "", "stopped: more than|terminated|out of memory|virtual memory|CPU time"},
+// What the walls are for.
+const Case thefts[] = {
     {"endless_file", "", "",
      "is a character device|No such file|stopped: more than|terminated|out of memory|virtual memory|CPU "
      "time"},
-    {"itself", "", "", "redefinition"},
     {"giant_object", "", "",
      "File size limit|No space|truncated|too big|File too large|final|terminated|stopped"},
     {"embeds", "", "", "(file not found|No such file|cannot open|Permission denied)"},
     {"includes_the_machine", "", "", "secret.txt: (No such file|Permission denied)"},
+};
+
+// What limits are for.
+const Case bombs[] = {
+    {"template_bomb", "", "", "stopped: more than|terminated|out of memory|virtual memory|CPU time"},
+    {"template_recursion", "", "", "template instantiation depth"},
+    {"constexpr_loop", "", "", "loop iteration count exceeds|operation count exceeds|stopped: more than"},
+    {"macro_bomb", "", "", "stopped: more than|terminated|out of memory|virtual memory|CPU time"},
+    {"itself", "", "", "redefinition"},
     {"thousand_errors", "", "", "error"},
 };
 
@@ -38,9 +43,7 @@ TEST_P(HostileBuild, IsRefusedShortly) {
     const auto& [walls, expected] = GetParam();
     const Machine machine;
     const grader::Confinement confinement(walls);
-    const auto same = [&](const Case& one) { return std::string(one.name) == expected.name; };
-    const auto index = std::find_if(std::begin(builds), std::end(builds), same) - std::begin(builds);
-    const int slot = 50 + 20 * static_cast<int>(walls) + static_cast<int>(index);
+    const int slot = slotOf(expected.name, walls);
     const grader::Built built = grader::build(
         confinement, grader::findKit(), sourceOf("builds/" + std::string(expected.name) + ".cpp", machine),
         slot, tightForCompilers());
@@ -55,9 +58,12 @@ TEST_P(HostileBuild, IsRefusedShortly) {
     machine.expectUntouched(slot);
 }
 
-INSTANTIATE_TEST_SUITE_P(Builds, HostileBuild,
+INSTANTIATE_TEST_SUITE_P(Thefts, HostileBuild,
                          testing::Combine(testing::Values(Walls::bubblewrap, Walls::landlock),
-                                          testing::ValuesIn(builds)),
+                                          testing::ValuesIn(thefts)),
+                         CaseName());
+INSTANTIATE_TEST_SUITE_P(Bombs, HostileBuild,
+                         testing::Combine(testing::Values(Walls::bubblewrap), testing::ValuesIn(bombs)),
                          CaseName());
 
 const Case shaders[] = {
@@ -85,7 +91,7 @@ TEST_P(HostileShader, EndsAsTheTableSays) {
     drawing.height = 8;
     drawing.limits.wallSeconds = 3;
     drawing.limits.cpuSeconds = 10;
-    const int slot = 10 + 10 * static_cast<int>(walls);
+    const int slot = slotOf(expected.name, walls);
     const grader::Frames drawn = grader::draw(confinement, grader::findKit(), drawing, slot);
     expectMatch(endingOf(drawn.outcome), expected.ends, "ending");
     expectMatch(drawn.problems[0], expected.problem, "problem");
@@ -95,8 +101,7 @@ TEST_P(HostileShader, EndsAsTheTableSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shaders, HostileShader,
-                         testing::Combine(testing::Values(Walls::bubblewrap, Walls::landlock),
-                                          testing::ValuesIn(shaders)),
+                         testing::Combine(testing::Values(Walls::bubblewrap), testing::ValuesIn(shaders)),
                          CaseName());
 
 // Names as they come out of archives: for the shell, for options, for other folders.

@@ -52,8 +52,8 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     try {
         ::setsid();
         ::signal(SIGPIPE, SIG_DFL);
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         inside::putUpWalls(task, supervisor);
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // becoming another user has taken it back
         std::string program = task.command.at(0);
         if (program.find('/') == std::string::npos) {
             program = "/usr/bin/" + program;
