@@ -151,6 +151,20 @@ class Machine {
 
 inline fs::path folder() { return fs::path(LAMBERT_SOURCE_DIR) / "tests/grader/hostile"; }
 
+/// Every file of a folder is in one of the tables, and says first what it does.
+template <typename... Tables>
+void expectAllInTables(const fs::path& files, const Tables&... tables) {
+    for (const auto& entry : fs::directory_iterator(folder() / files)) {
+        const std::string name = entry.path().stem().string();
+        const auto isIn = [&](const auto& table) {
+            return std::any_of(std::begin(table), std::end(table),
+                               [&](const Case& one) { return one.name == name; });
+        };
+        EXPECT_TRUE((isIn(tables) || ...)) << name;
+        EXPECT_EQ(contents(entry.path()).substr(0, 3), "// ") << name;
+    }
+}
+
 inline grader::Source sourceOf(const std::string& path, const Machine& machine) {
     const fs::path sources = LAMBERT_SOURCE_DIR;
     const auto define = [](const char* name, const fs::path& file) {

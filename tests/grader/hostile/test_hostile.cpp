@@ -97,6 +97,8 @@ TEST_P(Hostile, EndsAsTheTableSays) {
     machine.expectUntouched(slot);
 }
 
+TEST(HostileFiles, RunsAreAllInATable) { expectAllInTables("runs", attacks, pictures); }
+
 INSTANTIATE_TEST_SUITE_P(Attacks, Hostile,
                          testing::Combine(testing::Values(Walls::bubblewrap, Walls::landlock),
                                           testing::ValuesIn(attacks)),

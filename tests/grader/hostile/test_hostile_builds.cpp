@@ -104,6 +104,11 @@ INSTANTIATE_TEST_SUITE_P(Shaders, HostileShader,
                          testing::Combine(testing::Values(Walls::bubblewrap), testing::ValuesIn(shaders)),
                          CaseName());
 
+TEST(HostileFiles, BuildsAndShadersAreAllInATable) {
+    expectAllInTables("builds", thefts, bombs);
+    expectAllInTables("shaders", shaders);
+}
+
 // Names as they come out of archives: for the shell, for options, for other folders.
 TEST(HostileNames, AreTamedOrRefused) {
     const Machine machine;
