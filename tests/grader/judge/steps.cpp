@@ -212,7 +212,7 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
     const auto first = std::find_if(verdict.checks.begin(), verdict.checks.end(), [](const Check& check) {
         return check.isNew && check.status != CheckStatus::pass;
     });
-    if (first != verdict.checks.end())
+    if (explains && first != verdict.checks.end())
         first->explanation = explanation(found);
     return verdict;
 }
