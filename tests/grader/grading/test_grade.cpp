@@ -172,6 +172,28 @@ TEST_P(ProgramMarks, LackWhatIsWrong) {
 INSTANTIATE_TEST_SUITE_P(Lessons, ProgramMarks, testing::ValuesIn(grader::lessonSubmissions()),
                          [](const auto& test) { return test.param; });
 
+class HostileMarks : public testing::TestWithParam<const char*> {};
+
+// What confinement does to them is tests/grader/hostile's; here: they get nothing, and the report says why.
+TEST_P(HostileMarks, AreNone) {
+    const fs::path hostile = root / "tests/grader/hostile";
+    const auto grader = graderOf("lesson_05_attenuation");
+    const Report report =
+        gradeFiles(*grader, {{"lesson_05_attenuation.cpp",
+                              support::readFile(hostile / "runs" / (GetParam() + std::string(".cpp")))},
+                             {"hostile.hpp", support::readFile(hostile / "hostile.hpp")}});
+    EXPECT_EQ(report.score, 0) << said(report);
+    const auto runs = std::find_if(report.checks.begin(), report.checks.end(),
+                                   [](const Check& c) { return c.id == "runs"; });
+    ASSERT_NE(runs, report.checks.end());
+    EXPECT_EQ(runs->status, grader::CheckStatus::fail);
+    EXPECT_FALSE(runs->message.empty());
+}
+INSTANTIATE_TEST_SUITE_P(Programs, HostileMarks,
+                         testing::Values("aborts", "constant_frame", "headless", "huge_header", "no_frames",
+                                         "own_report", "praise", "symbolic_link"),
+                         [](const auto& test) { return test.param; });
+
 TEST(Grade, BothPartsTogetherAreJudgedApart) {
     const auto grader = graderOf("lesson_05_attenuation");
     std::map<std::string, std::string> files = grader::shaderSubmission("A1");

@@ -33,7 +33,12 @@ const std::map<std::string, Pair> qualities{
     {"shininess", {"l'esponente del riflesso s", "the highlight's exponent s"}},
     {"direction", {"la direzione verso la luce", "the direction towards the light"}},
     {"position", {"la posizione", "the position"}},
-    {"intensity", {"l'intensità", "the intensity"}},
+    {"intensity",
+     {"la forza (il canale più chiaro di colore x intensità)",
+      "the strength (brightest channel of colour x intensity)"}},
+    {"hue",
+     {"la tinta (il colore con il canale più chiaro a 1)",
+      "the hue (the colour with its brightest channel at 1)"}},
     {"decay", {"l'esponente k (decay)", "the exponent k (decay)"}},
     {"distance", {"la distanza massima", "the farthest reach"}}};
 
@@ -48,7 +53,9 @@ std::string inWords(const std::string& aspect, const Aspect& value, Language lan
     const bool it = language == Language::it;
     const std::size_t dot = aspect.find('.'), bracket = aspect.find('[');
     const std::string kind = aspect.substr(0, std::min(dot, bracket));
-    const std::string quality = dot == std::string::npos ? "" : aspect.substr(dot + 1);
+    std::string quality = dot == std::string::npos ? "" : aspect.substr(dot + 1);
+    if (quality == "color" && kind != "mesh")
+        quality = "hue";
     std::string subject = say(kinds, kind, it);
     if (bracket != std::string::npos)
         subject += " " + std::to_string(std::atoi(aspect.c_str() + bracket + 1) + 1);

@@ -57,7 +57,8 @@ Explanation explanationOf(const std::vector<std::string>& ids, const Texts& text
     }
 }
 
-void show(const Evidence& evidence, const std::string& prefix, Language language, PartVerdict& verdict) {
+void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, const std::string& prefix,
+          Language language, PartVerdict& verdict) {
     verdict.pictures = evidence.pictures(prefix, language);
     for (Check& check : verdict.checks) {
         check.regions = evidence.regions();
@@ -68,7 +69,7 @@ void show(const Evidence& evidence, const std::string& prefix, Language language
                 language == Language::it
                     ? "Rileggi le slide indicate e il TODO di partenza, e confronta le immagini."
                     : "Reread the slides named here and the starter's TODO, and compare the pictures.";
-        check.worst = evidence.worstPixel();
+        check.worst = worst;
         for (const Picture& picture : verdict.pictures)
             check.images.push_back(picture.image.id);
     }
@@ -103,25 +104,40 @@ Check Steps::start(const StepCheck& step) const {
 }
 
 // The student's scenes, if they give the student's frames: what differs in them from the lesson's, at any view.
-std::optional<Aspects> Steps::aspects(const std::vector<std::vector<float>>& found,
-                                      const SceneAt& sceneAt) const {
-    Aspects all;
+std::optional<Steps::Differences> Steps::differences(const std::vector<std::vector<float>>& found,
+                                                     const SceneAt& sceneAt) const {
+    Differences all;
+    all.scenes.resize(views_.size());
     for (std::size_t i = 0; i < views_.size(); ++i) {
         if (found[i].empty())
             continue;
-        const auto scene = sceneAt(i);
+        const auto scene = all.scenes[i] = sceneAt(i);
         if (scene == nullptr || scene->camera == nullptr)
             return std::nullopt;
         const ExpectedFrame drawn(scene, rubric_.size, lighting::Switches(), "");
         if (!compare(drawn, found[i]).right())
             return std::nullopt;
         for (const auto& [name, aspect] : compareScenes(*expected_[i].scene().scene, *scene->scene)) {
-            const auto [place, isNew] = all.emplace(name, aspect);
+            const auto [place, isNew] = all.aspects.emplace(name, aspect);
             if (!isNew && place->second.right && !aspect.right)
                 place->second = aspect;
         }
     }
-    return all.empty() ? std::nullopt : std::optional(all);
+    return all.aspects.empty() ? std::nullopt : std::optional(std::move(all));
+}
+
+// With the numbers of the student's own scene, where it is known: the lesson's would be the solution's.
+std::optional<WorstPixel> Steps::worstPixel(const Evidence& evidence,
+                                            const std::optional<Differences>& known) const {
+    std::optional<WorstPixel> worst = evidence.worstPixel();
+    if (!worst)
+        return worst;
+    worst->numbers.clear();
+    if (known && known->scenes[evidence.worstFrame()] != nullptr)
+        worst->numbers =
+            ExpectedFrame(known->scenes[evidence.worstFrame()], rubric_.size, lighting::Switches(), "")
+                .numbersAt(worst->x, worst->y);
+    return worst;
 }
 
 // The names that no check means: those of "*".
@@ -184,7 +200,7 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
                          const std::vector<std::string>& problems, const SceneAt& sceneAt) const {
     const Evidence evidence(expected_, found);
     const bool right = evidence.right();
-    const std::optional<Aspects> byScene = right ? std::nullopt : aspects(found, sceneAt);
+    const std::optional<Differences> byScene = right ? std::nullopt : differences(found, sceneAt);
     PartVerdict verdict;
     for (const StepCheck& step : rubric_.steps) {
         Check check = start(step);
@@ -200,7 +216,7 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
             grade(check, 1);
             check.message = say("l'immagine è giusta in tutte le viste", "the picture is right in all views");
         } else {
-            judgeByScene(step, *byScene, check);
+            judgeByScene(step, byScene->aspects, check);
             if (check.status == CheckStatus::pass)
                 check.message = say("questa parte della scena è giusta", "this part of the scene is right");
         }
@@ -208,7 +224,7 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
     }
     if (right)
         return verdict;
-    show(evidence, "lesson", language_, verdict);
+    show(evidence, worstPixel(evidence, byScene), "lesson", language_, verdict);
     const auto first = std::find_if(verdict.checks.begin(), verdict.checks.end(), [](const Check& check) {
         return check.isNew && check.status != CheckStatus::pass;
     });

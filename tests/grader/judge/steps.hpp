@@ -21,7 +21,8 @@ struct PartVerdict {
 };
 
 /// Adds the worst frame's pictures, and to each check that did not pass what shows why: regions, worst pixel, pictures, a hint.
-void show(const Evidence& evidence, const std::string& prefix, Language language, PartVerdict& verdict);
+void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, const std::string& prefix,
+          Language language, PartVerdict& verdict);
 
 /// Judges lesson programs. Frames decide: where they are right, all is right. Where they are wrong, the scene that the program
 /// says it has is drawn by the reference; if that gives the student's frames, what differs in the scene is what is wrong.
@@ -52,6 +53,8 @@ class Steps {
     void judgeByScene(const StepCheck& step, const Aspects& aspects, Check& check) const;
     std::optional<Explanation> explanation(const std::vector<std::vector<float>>& found) const;
     Check start(const StepCheck& step) const;
+    std::optional<WorstPixel> worstPixel(const Evidence& evidence,
+                                         const std::optional<Differences>& known) const;
     std::string missingFor(const StepCheck& step, const Evidence& evidence,
                            const std::vector<std::string>& problems) const;
     const char* say(const char* it, const char* en) const { return language_ == Language::it ? it : en; }

@@ -312,7 +312,7 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
         judgeByBlame(verdict.checks, why);
     else
         judgeByStates(verdict.checks, drawStates);
-    show(evidence, "terms", language_, verdict);
+    show(evidence, evidence.worstPixel(), "terms", language_, verdict);
     return verdict;
 }
 

@@ -188,7 +188,7 @@ std::string withoutComments(const std::string& source) {
             newLine = newLine || c == '\n';
             ++i;
         } else {
-            if (newLine && (directive || c == '#'))
+            if (newLine && (directive || c == '#') && !result.empty())
                 result += '\n';  // a directive ends with its line
             else if (blank && !result.empty() && isWord(result.back()) && isWord(c))
                 result += ' ';
