@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "grader/grading/command_line.hpp"
 
+#include "grader/report/formats/formats.hpp"
 #include "lab/options.hpp"
+
+#include <set>
 
 namespace grader {
 
@@ -21,6 +24,23 @@ const char* wordFor(CheckStatus status, bool it) {
     default:
         return it ? "saltato " : "skipped ";
     }
+}
+
+// Whether a folder holds a report and nothing else, so that it may go.
+bool isReport(const fs::path& folder) {
+    std::set<std::string> names{"report.json"};
+    for (const Format one : parseFormats("html,gradescope,prairielearn,autolab,coderunner,vpl,junit,csv"))
+        names.insert(fileNameOf(one));
+    if (!fs::is_regular_file(folder / "report.json"))
+        return false;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const bool picture =
+            name.ends_with(".png") && (name.starts_with("lesson-") || name.starts_with("terms-"));
+        if (!entry.is_regular_file() || (!picture && names.count(name) == 0))
+            return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -59,7 +79,7 @@ std::string summary(const Report& report) {
 void replaceReport(const Graded& graded, const fs::path& folder, const std::string& formats) {
     const fs::path clean = (folder / "").parent_path();
     if (fs::exists(clean) && !fs::is_empty(clean)) {
-        if (!fs::is_regular_file(clean / "report.json"))
+        if (!isReport(clean))
             throw UsageError(clean.string() + ": holds something that is no report; expected a new folder, "
                                               "an empty one, or an earlier report");
         fs::remove_all(clean);

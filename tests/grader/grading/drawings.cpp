@@ -32,6 +32,21 @@ Drawing drawingOf(const Rubric& rubric, std::string program,
     return drawing;
 }
 
+std::map<std::string, std::string> shadersToTryIn(std::map<std::string, std::string> lab) {
+    std::string& text = lab["terms/point.glsl"];
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>("max(cosine_divisor(d2) * power, 1e-30)",
+                                              "max(cosine_divisor(d2), 1e-30)"),
+          {"clamp_cosine(share) * D", "f * clamp_cosine(share) * D"}}) {
+        const std::size_t at = text.find(from);
+        if (at == std::string::npos)
+            throw std::runtime_error("terms/point.glsl: expected '" + from +
+                                     "' in it; shadersToTryIn must follow it");
+        text.replace(at, from.size(), to);
+    }
+    return lab;
+}
+
 std::string lineOf(const View& view) {
     char time[32];
     std::snprintf(time, sizeof time, "%.17g", view.time);

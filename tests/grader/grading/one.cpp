@@ -187,9 +187,10 @@ class Grader::One {
 
     void termsPart() {
         Stopwatch watch;
-        std::map<std::string, std::string> shaders = grader_.shaders_;
+        std::map<std::string, std::string> shaders = shadersToTryIn(grader_.shaders_);
         for (const auto& [name, text] : submission_.shaders)
-            shaders[name] = text;
+            if (withoutComments(text) != withoutComments(grader_.shaders_.at(name)))
+                shaders[name] = text;
         const auto& scenes = grader_.terms_->scenes();
         Frames all;
         for (std::size_t i = 0; i < scenes.size(); ++i) {

@@ -1,6 +1,7 @@
 // Marks of whole submissions: built, run within walls, judged. Right ones lose nothing, starters get nothing for the new steps, each
 // misconception costs its term.
 // SPDX-License-Identifier: MIT
+#include "grader/grading/command_line.hpp"
 #include "grader/grading/grader.hpp"
 #include "grader/submissions/submissions.hpp"
 #include "support/program.hpp"
@@ -201,6 +202,76 @@ TEST(Grade, BothPartsTogetherAreJudgedApart) {
     const Report report = gradeFiles(*grader, files);
     EXPECT_EQ(lost(report), std::set<std::string>{"clamp"}) << said(report);
     EXPECT_EQ(report.maxScore, 100);
+}
+
+// No cosine is above 1: a clamp at both ends is right.
+TEST(Grade, AClampAtBothEndsIsRight) {
+    for (const char* lesson : {"lesson_02_directional_light", "lesson_05_attenuation"}) {
+        const auto grader = graderOf(lesson);
+        const Report report = gradeFiles(
+            *grader, {{"terms/clamp.glsl", "float clamp_cosine(float c) { return clamp(c, 0.0, 1.0); }\n"}});
+        EXPECT_EQ(report.score, 100) << said(report);
+    }
+}
+
+// One scene, built in another way than the lesson's.
+TEST(Grade, AnotherStyleIsRight) {
+    const auto grader = graderOf("lesson_03_point_light");
+    const Report report = gradeFiles(*grader, {{"mine.cpp", R"(#include "lab/lab.hpp"
+#include <memory>
+#include <vector>
+using namespace THREE;
+struct Turn {
+    Mesh* mesh;
+    void operator()(double t) const { mesh->rotation.y = 0.3 + 0.6 * t; }
+};
+int main(int n, char* v[]) {
+    lab::App app(n, v, "mine");
+    Scene s;
+    s.background = 0x2e3440;
+    PerspectiveCamera camera(36);
+    Group g;
+    g.position.set(0, 1, 0);
+    s.add(g);
+    PointLight bulb(0xDD6666);
+    bulb.position.set(2, 0.5, 5);
+    g.add(bulb);
+    PlaneGeometry square(9, 9);
+    MeshLambertMaterial grey(0x7788AA);
+    Mesh floor(square, grey);
+    floor.position.y = -1;
+    floor.rotation.x = -1.5707963267948966;
+    g.add(floor);
+    std::vector<std::unique_ptr<DirectionalLight>> suns;
+    for (int i = 0; i < 2; ++i) {
+        suns.push_back(std::make_unique<DirectionalLight>(0xFFFFFF, 0.5));
+        suns.back()->position.set(0, 0.3, -0.2);
+        s.add(*suns.back());
+    }
+    DirectionalLight black(0x000000);
+    s.add(black);
+    TorusKnotGeometry knot(0.9, 0.34, 400, 64);
+    MeshLambertMaterial orange;
+    orange.color.set("#ff8855");
+    Mesh mesh(knot, orange);
+    mesh.position.set(0, 0.55, 0);
+    mesh.rotation.set(0.5, 0.3, 0.2);
+    g.add(mesh);
+    return app.run(s, camera, Turn{&mesh});
+}
+)"}});
+    EXPECT_EQ(report.score, 100) << said(report);
+}
+
+// What is in the way of a report is deleted only if it is one.
+TEST(Grade, AReportReplacesNothingButAReport) {
+    const support::TemporaryDirectory directory;
+    Graded graded;
+    grader::replaceReport(graded, directory.path() / "out", "csv");
+    grader::replaceReport(graded, directory.path() / "out", "html");
+    support::writeFile(directory.path() / "out/thesis.txt", "mine");
+    EXPECT_THROW(grader::replaceReport(graded, directory.path() / "out", "html"), std::runtime_error);
+    EXPECT_TRUE(fs::exists(directory.path() / "out/thesis.txt"));
 }
 
 TEST(Grade, WhatDoesNotBuildHasItsReason) {

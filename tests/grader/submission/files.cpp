@@ -58,6 +58,9 @@ class Taker {
         return false;
     }
     void take(const std::string& name, std::string text) {
+        if (isSource(name) &&
+            text.starts_with("\xEF\xBB\xBF"))  // an editor's mark, which no GLSL compiler takes
+            text.erase(0, 3);
         total_ += text.size();
         files_.taken.push_back({name, std::move(text)});
     }

@@ -182,4 +182,14 @@ TEST(WithoutComments, LeavesWhatACompilerSees) {
     EXPECT_EQ(grader::withoutComments(""), "");
 }
 
+// Windows editors put one in front; GLSL compilers do not take it.
+TEST(Submission, AByteOrderMarkIsNoPartOfAFile) {
+    const support::TemporaryDirectory directory;
+    writeFile(directory.path() / "clamp.glsl", "\xEF\xBB\xBF"
+                                               "float clamp_cosine(float c) { return c; }\n");
+    const Submission submission = read(directory.path());
+    ASSERT_EQ(submission.shaders.count("terms/clamp.glsl"), 1U);
+    EXPECT_EQ(submission.shaders.at("terms/clamp.glsl").substr(0, 5), "float");
+}
+
 }  // namespace
