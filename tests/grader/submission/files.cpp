@@ -141,6 +141,14 @@ void takeFolder(Taker& taker, const fs::path& folder, Language language) {
     }
 }
 
+// Whatever the locale, which libarchive wants to say names in: UTF-8, or the bytes as they are.
+std::string nameOf(archive_entry* entry) {
+    const char* name = archive_entry_pathname_utf8(entry);
+    if (name == nullptr)
+        name = archive_entry_pathname(entry);
+    return name == nullptr ? "?" : name;
+}
+
 // The entry's bytes up to the limit, or nothing if they are more or broken.
 std::optional<std::string> contentOf(archive* in) {
     std::string text;
@@ -184,8 +192,7 @@ Files filesInArchive(const std::string& bytes, Language language) {
          (status = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK || status == ARCHIVE_WARN;) {
         if (++seen > 10 * mostFiles)
             break;
-        const char* path = archive_entry_pathname(entry);
-        const std::string name = path == nullptr ? "?" : path;
+        const std::string name = nameOf(entry);
         if (archive_entry_filetype(entry) == AE_IFDIR)
             continue;
         if (archive_entry_filetype(entry) != AE_IFREG) {

@@ -16,7 +16,12 @@ namespace fs = std::filesystem;
 
 bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-std::string extensionOf(const std::string& name) { return fs::path(name).extension().string(); }
+std::string extensionOf(const std::string& name) {
+    std::string extension = fs::path(name).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
 bool isProgram(const std::string& name) {
     const std::string e = extensionOf(name);
     return e == ".cpp" || e == ".cc" || e == ".cxx";

@@ -182,6 +182,14 @@ TEST(WithoutComments, LeavesWhatACompilerSees) {
     EXPECT_EQ(grader::withoutComments(""), "");
 }
 
+TEST(Submission, NamesMayHaveAccentsAndCapitals) {
+    const support::TemporaryDirectory directory;
+    writeFile(directory.path() / "it.zip", zipped({{"Nicol\xC3\xB2 Rossi/LESSON.CPP", lesson}}));
+    const Submission submission = read(directory.path() / "it.zip");
+    ASSERT_TRUE(submission.lesson.has_value()) << submission.problem;
+    EXPECT_EQ(submission.lesson->name, "Nicol\xC3\xB2 Rossi/LESSON.CPP");
+}
+
 // Windows editors put one in front; GLSL compilers do not take it.
 TEST(Submission, AByteOrderMarkIsNoPartOfAFile) {
     const support::TemporaryDirectory directory;
