@@ -48,6 +48,15 @@ Rubric rubricFor(const nuovo::Lesson& lesson, const fs::path& share, const fs::p
     }
 }
 
+// Submissions can read all of /usr: a program that includes the lesson from there would be the lesson.
+void refuseWithinReach(const fs::path& lessons) {
+    const std::string real = fs::weakly_canonical(lessons).string();
+    if (real.starts_with("/usr/"))
+        throw UsageError(real +
+                         ": submissions can read what is below /usr, and so the solutions; install the lab "
+                         "elsewhere, as with --prefix /opt/lambert-lab");
+}
+
 bool italian(const GraderOptions& options) { return options.language == Language::it; }
 
 }  // namespace
@@ -55,6 +64,8 @@ bool italian(const GraderOptions& options) { return options.language == Language
 Grader::Grader(const GraderOptions& options)
     : options_(options), home_(image::home()),
       texts_(home_ / "share/lambert-lab/slides_refs/misconceptions.json"), shaders_(labShaders()) {
+    if (!options.publicViews)
+        refuseWithinReach(home_ / "share/lambert-lab/lessons");
     readLesson();
     for (const TermCheck& check : rubric_.terms)
         try {
