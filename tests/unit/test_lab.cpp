@@ -196,7 +196,7 @@ TEST(Jitter, IsTheSameBelowGroupsOrWithAMatrixByHand) {
             for (THREE::Object3D* object :
                  {static_cast<THREE::Object3D*>(&mesh), static_cast<THREE::Object3D*>(&bulb)}) {
                 object->updateMatrix();
-                object->applyMatrix4(THREE::Matrix4(group.matrix).invert());
+                object->applyMatrix4(THREE::Matrix4(group.matrix).invert().multiply(object->matrix));
                 group.add(*object);
             }
             sun.position.set(1, 4, 0);

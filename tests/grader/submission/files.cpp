@@ -8,6 +8,7 @@
 #include <cctype>
 #include <fcntl.h>
 #include <initializer_list>
+#include <locale.h>
 #include <memory>
 #include <stdexcept>
 #include <sys/stat.h>
@@ -141,13 +142,21 @@ void takeFolder(Taker& taker, const fs::path& folder, Language language) {
     }
 }
 
-// Whatever the locale, which libarchive wants to say names in: UTF-8, or the bytes as they are.
-std::string nameOf(archive_entry* entry) {
-    const char* name = archive_entry_pathname_utf8(entry);
-    if (name == nullptr)
-        name = archive_entry_pathname(entry);
-    return name == nullptr ? "?" : name;
-}
+// libarchive says names in the thread's locale, and in "C" it has none for an accent.
+class Utf8 {
+  public:
+    Utf8() : own_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(uselocale(own_)) {}
+    ~Utf8() {
+        uselocale(before_);
+        if (own_ != nullptr)
+            freelocale(own_);
+    }
+    Utf8(const Utf8&) = delete;
+    Utf8& operator=(const Utf8&) = delete;
+
+  private:
+    locale_t own_, before_;
+};
 
 // The entry's bytes up to the limit, or nothing if they are more or broken.
 std::optional<std::string> contentOf(archive* in) {
@@ -171,6 +180,7 @@ bool isArchive(const std::string& name) {
 }
 
 Files filesInArchive(const std::string& bytes, Language language) {
+    const Utf8 names;
     Files files;
     Taker taker(files, language);
     const std::unique_ptr<archive, int (*)(archive*)> in(archive_read_new(), archive_read_free);
@@ -192,7 +202,8 @@ Files filesInArchive(const std::string& bytes, Language language) {
          (status = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK || status == ARCHIVE_WARN;) {
         if (++seen > 10 * mostFiles)
             break;
-        const std::string name = nameOf(entry);
+        const char* path = archive_entry_pathname(entry);
+        const std::string name = path == nullptr ? "?" : path;
         if (archive_entry_filetype(entry) == AE_IFDIR)
             continue;
         if (archive_entry_filetype(entry) != AE_IFREG) {
