@@ -47,8 +47,14 @@ class Steps {
                       const SceneAt& sceneAt) const;
 
   private:
-    std::optional<Aspects> aspects(const std::vector<std::vector<float>>& found,
-                                   const SceneAt& sceneAt) const;
+    /// What differs in the student's scenes, which give the student's frames.
+    struct Differences {
+        Aspects aspects;
+        std::vector<std::shared_ptr<const THREE::LoadedScene>>
+            scenes;  // one for each view; null where no frame came back
+    };
+    std::optional<Differences> differences(const std::vector<std::vector<float>>& found,
+                                           const SceneAt& sceneAt) const;
     std::vector<std::string> restOf(const Aspects& all) const;
     void judgeByScene(const StepCheck& step, const Aspects& aspects, Check& check) const;
     std::optional<Explanation> explanation(const std::vector<std::vector<float>>& found) const;
