@@ -58,8 +58,8 @@ Explanation explanationOf(const std::vector<std::string>& ids, const Texts& text
 }
 
 Steps::Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
-             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes)
-    : rubric_(rubric), texts_(texts), language_(language), views_(std::move(views)) {
+             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes, Show show)
+    : rubric_(rubric), texts_(texts), language_(language), show_(show), views_(std::move(views)) {
     for (std::size_t i = 0; i < views_.size(); ++i)
         expected_.emplace_back(scenes[i], rubric.size, lighting::Switches(), views_[i].name);
 }
@@ -186,9 +186,9 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
         }
         verdict.checks.push_back(std::move(check));
     }
+    verdict.pictures = evidence.pictures("lesson", language_, show_);
     if (evidence.right())
         return verdict;
-    verdict.pictures = evidence.pictures("lesson", language_);
     std::optional<Explanation> why = explanation(found);
     for (Check& check : verdict.checks) {
         check.regions = evidence.regions();

@@ -27,7 +27,7 @@ class Steps {
   public:
     /// `scenes`: the lesson's own, one for each view.
     Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
-          const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes);
+          const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes, Show show = Show::wrong);
 
     const std::vector<View>& views() const { return views_; }
     const std::vector<ExpectedFrame>& expected() const { return expected_; }
@@ -51,6 +51,7 @@ class Steps {
     const Rubric& rubric_;
     const Texts& texts_;
     Language language_;
+    Show show_;
     std::vector<View> views_;
     std::vector<ExpectedFrame> expected_;
     mutable std::unique_ptr<Explainer> explainer_;

@@ -84,8 +84,8 @@ lighting::Switches without(const std::string& list) {
 }  // namespace
 
 Terms::Terms(const Rubric& rubric, const Texts& texts, Language language, std::uint64_t seed,
-             std::shared_ptr<const THREE::LoadedScene> lesson)
-    : rubric_(rubric), texts_(texts), language_(language) {
+             std::shared_ptr<const THREE::LoadedScene> lesson, Show show)
+    : rubric_(rubric), texts_(texts), language_(language), show_(show) {
     const std::string word = language == Language::it ? "scena " : "scene ";
     for (int i = 0; i < rubric.scenes; ++i)
         scenes_.push_back(std::make_shared<THREE::LoadedScene>(
@@ -248,6 +248,7 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
         verdict.checks.push_back(start(term));
     for (Check& check : verdict.checks)
         check.message = it ? "l'immagine è giusta in tutte le scene" : "the picture is right in all scenes";
+    verdict.pictures = evidence.pictures("terms", language_, show_);
     if (evidence.right())
         return verdict;
     const bool complete =
@@ -276,7 +277,6 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
     for (Check& check : verdict.checks)
         if (check.status == CheckStatus::pass && !why.empty())
             check.message = it ? "non è questo l'errore" : "the mistake is not here";
-    verdict.pictures = evidence.pictures("terms", language_);
     for (Check& check : verdict.checks) {
         check.regions = evidence.regions();
         if (check.status == CheckStatus::pass)
