@@ -14,8 +14,7 @@ using glm::vec3;
 
 constexpr std::size_t every = 5;  // of the pixels is looked at
 constexpr float sameWithin = 1.0F / 255;
-constexpr double asGood = 0.02;  // explanations this near to the best cannot be told from it
-constexpr double enoughTogether = 0.95;  // of two, of whom each alone could be chance
+constexpr double asGood = 0.003;  // explanations this near to the best cannot be told from it
 constexpr double shareOfEach = 0.05;  // what a second one must add
 
 bool same(const vec3& a, const vec3& b) {
@@ -128,7 +127,7 @@ Explainer::Fit Explainer::pair(const std::vector<std::vector<vec3>>& found,
                     count.add(truth_[f][i], found[f][i],
                               hypotheses_[a].frames[f][i] + hypotheses_[b].frames[f][i] - truth_[f][i]);
             const double together = hopeless() ? 0 : count.share();
-            if (together < enoughTogether || together < std::max(alone[a], alone[b]) + shareOfEach)
+            if (together < enough || together < std::max(alone[a], alone[b]) + shareOfEach)
                 continue;
             if (together > fit.explained + 1e-12) {
                 second = fit.explained;

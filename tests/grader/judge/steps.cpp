@@ -57,6 +57,22 @@ Explanation explanationOf(const std::vector<std::string>& ids, const Texts& text
     }
 }
 
+void show(const Evidence& evidence, Language language, PartVerdict& verdict) {
+    for (Check& check : verdict.checks) {
+        check.regions = evidence.regions();
+        if (check.status == CheckStatus::pass)
+            continue;
+        if (check.hint.empty())
+            check.hint =
+                language == Language::it
+                    ? "Rileggi le slide indicate e il TODO di partenza, e confronta le immagini."
+                    : "Reread the slides named here and the starter's TODO, and compare the pictures.";
+        check.worst = evidence.worstPixel();
+        for (const Picture& picture : verdict.pictures)
+            check.images.push_back(picture.image.id);
+    }
+}
+
 Steps::Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
              const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes, Show show)
     : rubric_(rubric), texts_(texts), language_(language), show_(show), views_(std::move(views)) {
@@ -154,54 +170,50 @@ std::optional<Explanation> Steps::explanation(const std::vector<std::vector<floa
     return result;
 }
 
+// Why a frame that the step needs did not come back, or nothing.
+std::string Steps::missingFor(const StepCheck& step, const Evidence& evidence,
+                              const std::vector<std::string>& problems) const {
+    for (std::size_t i = 0; i < views_.size(); ++i)
+        if (!evidence.there(i) && needs(step, views_[i]) && step.isNew)
+            return views_[i].name + ": " + problems[i];
+    return "";
+}
+
 PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
                          const std::vector<std::string>& problems, const SceneAt& sceneAt) const {
-    const bool it = language_ == Language::it;
     const Evidence evidence(expected_, found);
+    const bool right = evidence.right();
+    const std::optional<Aspects> byScene = right ? std::nullopt : aspects(found, sceneAt);
     PartVerdict verdict;
-    const std::optional<Aspects> byScene = evidence.right() ? std::nullopt : aspects(found, sceneAt);
-    std::set<std::string> pictureIds;
     for (const StepCheck& step : rubric_.steps) {
         Check check = start(step);
-        std::string missing;
-        for (std::size_t i = 0; i < views_.size(); ++i)
-            if (!evidence.there(i) && needs(step, views_[i]) && step.isNew)
-                missing = views_[i].name + ": " + problems[i];
-        if (evidence.right()) {
-            grade(check, 1);
-            check.message =
-                it ? "l'immagine è giusta in tutte le viste" : "the picture is right in all views";
-        } else if (!missing.empty()) {
+        const std::string missing = missingFor(step, evidence, problems);
+        if (!missing.empty() || (!right && !byScene)) {
             grade(check, 0);
-            check.message = (it ? "manca un'immagine: " : "a frame is missing: ") + missing;
-        } else if (byScene) {
+            check.message =
+                !missing.empty()
+                    ? say("manca un'immagine: ", "a frame is missing: ") + missing
+                    : say("l'immagine non è quella attesa, né quella che la scena del programma darebbe",
+                          "the picture is not as expected, nor what the program's own scene would give");
+        } else if (right) {
+            grade(check, 1);
+            check.message = say("l'immagine è giusta in tutte le viste", "the picture is right in all views");
+        } else {
             judgeByScene(step, *byScene, check);
             if (check.status == CheckStatus::pass)
-                check.message = it ? "questa parte della scena è giusta" : "this part of the scene is right";
-        } else {
-            grade(check, 0);
-            check.message =
-                it ? "l'immagine non è quella attesa, né quella che la scena del programma darebbe"
-                   : "the picture is not as expected, nor what the program's own scene would give";
+                check.message = say("questa parte della scena è giusta", "this part of the scene is right");
         }
         verdict.checks.push_back(std::move(check));
     }
     verdict.pictures = evidence.pictures("lesson", language_, show_);
-    if (evidence.right())
+    if (right)
         return verdict;
-    std::optional<Explanation> why = explanation(found);
-    for (Check& check : verdict.checks) {
-        check.regions = evidence.regions();
-        if (check.status == CheckStatus::pass)
-            continue;
-        check.hint = it ? "Rileggi le slide indicate e il TODO di partenza, e confronta le immagini."
-                        : "Reread the slides named here and the starter's TODO, and compare the pictures.";
-        check.worst = evidence.worstPixel();
-        for (const Picture& picture : verdict.pictures)
-            check.images.push_back(picture.image.id);
-        if (why && check.isNew)
-            check.explanation = std::exchange(why, std::nullopt);
-    }
+    show(evidence, language_, verdict);
+    const auto first = std::find_if(verdict.checks.begin(), verdict.checks.end(), [](const Check& check) {
+        return check.isNew && check.status != CheckStatus::pass;
+    });
+    if (first != verdict.checks.end())
+        first->explanation = explanation(found);
     return verdict;
 }
 

@@ -20,6 +20,9 @@ struct PartVerdict {
     std::vector<Picture> pictures;
 };
 
+/// Adds to each check that did not pass what shows why: regions, worst pixel, the verdict's pictures, a hint.
+void show(const Evidence& evidence, Language language, PartVerdict& verdict);
+
 /// Judges lesson programs. Frames decide: where they are right, all is right. Where they are wrong, the scene that the program
 /// says it has is drawn by the reference; if that gives the student's frames, what differs in the scene is what is wrong.
 /// Made once for any number of submissions.
@@ -47,6 +50,9 @@ class Steps {
     void judgeByScene(const StepCheck& step, const Aspects& aspects, Check& check) const;
     std::optional<Explanation> explanation(const std::vector<std::vector<float>>& found) const;
     Check start(const StepCheck& step) const;
+    std::string missingFor(const StepCheck& step, const Evidence& evidence,
+                           const std::vector<std::string>& problems) const;
+    const char* say(const char* it, const char* en) const { return language_ == Language::it ? it : en; }
 
     const Rubric& rubric_;
     const Texts& texts_;

@@ -87,26 +87,38 @@ Terms::Terms(const Rubric& rubric, const Texts& texts, Language language, std::u
              std::shared_ptr<const THREE::LoadedScene> lesson, Show show)
     : rubric_(rubric), texts_(texts), language_(language), show_(show) {
     const std::string word = language == Language::it ? "scena " : "scene ";
-    for (int i = 0; i < rubric.scenes; ++i)
-        scenes_.push_back(std::make_shared<THREE::LoadedScene>(
-            hiddenScene(seed + static_cast<std::uint64_t>(i), rubric.shiny ? Finish::shiny : Finish::matte)));
+    std::vector<Finish> finishes{Finish::matte};
+    if (rubric.shiny)
+        finishes.push_back(Finish::shiny);
+    for (const Finish finish : finishes) {
+        groups_.emplace_back();
+        for (int i = 0; i < rubric.scenes; ++i) {
+            groups_.back().frames.push_back(scenes_.size());
+            scenes_.push_back(std::make_shared<THREE::LoadedScene>(
+                hiddenScene(seed + static_cast<std::uint64_t>(i), finish)));
+        }
+    }
+    groups_.back().frames.push_back(scenes_.size());
     scenes_.push_back(std::move(lesson));
     for (std::size_t i = 0; i < scenes_.size(); ++i)
         expected_.emplace_back(scenes_[i], rubric.size, lighting::Switches(), word + std::to_string(i + 1));
 }
 
 void Terms::prepare() const {
-    if (explainer_ != nullptr)
-        return;
-    std::vector<const ExpectedFrame*> frames;
-    for (const ExpectedFrame& frame : expected_)
-        frames.push_back(&frame);
-    explainer_ = std::make_unique<Explainer>(frames, rubric_.shiny ? firstShinyLesson : lastMatteLesson);
-    for (const std::string& list : neutralLists(rubric_)) {
-        std::vector<std::vector<float>> all;
-        for (const auto& scene : scenes_)
-            all.push_back(ExpectedFrame(scene, rubric_.size, without(list), "").pixels());
-        explainer_->add(neutral + list, all);
+    for (Group& group : groups_) {
+        if (group.explainer != nullptr)
+            continue;
+        std::vector<const ExpectedFrame*> frames;
+        for (const std::size_t i : group.frames)
+            frames.push_back(&expected_[i]);
+        const bool shiny = &group != &groups_.front();
+        group.explainer = std::make_unique<Explainer>(frames, shiny ? firstShinyLesson : lastMatteLesson);
+        for (const std::string& list : neutralLists(rubric_)) {
+            std::vector<std::vector<float>> all;
+            for (const std::size_t i : group.frames)
+                all.push_back(ExpectedFrame(scenes_[i], rubric_.size, without(list), "").pixels());
+            group.explainer->add(neutral + list, all);
+        }
     }
 }
 
@@ -126,7 +138,6 @@ Check Terms::start(const TermCheck& term) const {
 
 Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fit,
                           const std::set<std::string>& shaders) const {
-    const bool it = language_ == Language::it;
     Blame blame;
     std::string unwritten;
     ids.erase(std::remove_if(ids.begin(), ids.end(),
@@ -144,8 +155,8 @@ Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fi
     const std::vector<std::string> terms = unwritten.empty() ? std::vector<std::string>() : split(unwritten);
     if (!terms.empty() && (ids.empty() || std::all_of(terms.begin(), terms.end(), handedIn))) {
         blame.checks = terms;
-        blame.message = it ? "il termine non fa nulla: è ancora il suo elemento neutro"
-                           : "the term does nothing: it is still its neutral element";
+        blame.message = say("il termine non fa nulla: è ancora il suo elemento neutro",
+                            "the term does nothing: it is still its neutral element");
         return blame;
     }
     Explanation explanation = explanationOf(ids, texts_, language_);
@@ -161,7 +172,7 @@ Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fi
             for (const std::string& id : ids)
                 if (const auto kept = check.credit.find(id); kept != check.credit.end())
                     blame.credit = std::max(blame.credit, kept->second);
-    blame.message = (it ? "l'immagine è quella che si ha quando: " : "the picture is what one gets when: ") +
+    blame.message = say("l'immagine è quella che si ha quando: ", "the picture is what one gets when: ") +
                     explanation.name;
     blame.explanation = std::move(explanation);
     return blame;
@@ -170,7 +181,19 @@ Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fi
 std::vector<Terms::Blame> Terms::blames(const std::vector<std::vector<float>>& found,
                                         const std::set<std::string>& shaders) const {
     prepare();
-    const Explainer::Fit fit = explainer_->explain(found);
+    Explainer::Fit fit;
+    for (const Group& group : groups_) {
+        std::vector<std::vector<float>> frames;
+        bool right = true;
+        for (const std::size_t i : group.frames) {
+            frames.push_back(found[i]);
+            right = right && compare(expected_[i], found[i]).right();
+        }
+        if (right)
+            continue;
+        fit = group.explainer->explain(frames);
+        break;
+    }
     std::vector<Blame> all;
     for (const std::vector<std::string>& ids : fit.ids) {
         all.push_back(blame(ids, fit, shaders));
@@ -182,91 +205,84 @@ std::vector<Terms::Blame> Terms::blames(const std::vector<std::vector<float>>& f
     return all;
 }
 
-// Each check by the states that show it alone, the best of them counting.
-void Terms::judgeByStates(std::vector<Check>& checks, const DrawStates& drawStates) const {
-    const bool it = language_ == Language::it;
+// How much of the hidden scenes is right in each state, in the worst of them. The lesson's own may lack a kind of light.
+std::map<std::string, double> Terms::sharesOfStates(const DrawStates& drawStates) const {
     std::vector<std::string> states;
     for (const auto& [check, list] : statesOf())
         for (const std::string& state : list)
             if (std::find(states.begin(), states.end(), state) == states.end())
                 states.push_back(state);
-    std::map<std::string, double> share;
-    for (std::size_t scene = 0; scene + 1 < scenes_.size();
-         ++scene) {  // the hidden ones: the lesson's own may lack a kind of light
+    std::map<std::string, double> shares;
+    for (std::size_t scene = 0; scene + 1 < scenes_.size(); ++scene) {
         const auto frames = drawStates(scene, states);
         for (std::size_t i = 0; i < states.size(); ++i) {
             const lighting::Switches on(lighting::parseTerms(states[i], lighting::TermSet::none()));
             const ExpectedFrame expected(scenes_[scene], rubric_.size, on, "");
             const double right = frames[i].empty() ? 0 : compare(expected, frames[i]).share();
-            const auto [place, isNew] = share.emplace(states[i], right);
+            const auto [place, isNew] = shares.emplace(states[i], right);
             if (!isNew)
                 place->second = std::min(place->second, right);
         }
     }
+    return shares;
+}
+
+// Each check by the states that show it alone, the best of them counting.
+void Terms::judgeByStates(std::vector<Check>& checks, const DrawStates& drawStates) const {
+    std::map<std::string, double> shares = sharesOfStates(drawStates);
+    std::set<std::string> failed;
     for (Check& check : checks) {
         double best = 0;
         for (const std::string& state : statesOf().at(check.id))
-            best = std::max(best, creditFor(share[state]));
+            best = std::max(best, creditFor(shares[state]));
         check.score = check.maxScore * best;
         check.status = best >= 1 ? CheckStatus::pass : best > 0 ? CheckStatus::partial : CheckStatus::fail;
         check.message =
             best >= 1
-                ? (it ? "da solo, questo termine è giusto" : "alone, this term is right")
-                : (it ? "anche da solo, con gli altri spenti, questo termine non dà l'immagine attesa"
-                      : "alone, with the others off, this term does not give the expected picture either");
+                ? say("da solo, questo termine è giusto", "alone, this term is right")
+                : say("anche da solo, con gli altri spenti, questo termine non dà l'immagine attesa",
+                      "alone, with the others off, this term does not give the expected picture either");
+        if (best <= 0)
+            failed.insert(check.id);
     }
-    const auto failed = [&](const std::string& id) {
-        return std::any_of(checks.begin(), checks.end(),
-                           [&](const Check& one) { return one.id == id && one.status == CheckStatus::fail; });
-    };
     for (Check& check : checks)
         if (check.status == CheckStatus::fail &&
-            std::any_of(check.dependsOn.begin(), check.dependsOn.end(), failed)) {
+            std::any_of(check.dependsOn.begin(), check.dependsOn.end(),
+                        [&](const std::string& id) { return failed.count(id) != 0; })) {
             check.status = CheckStatus::skipped;
-            check.message = it ? "non si può dire: prima deve essere giusto ciò da cui dipende"
-                               : "cannot be told: what it depends on must be right first";
+            check.message = say("non si può dire: prima deve essere giusto ciò da cui dipende",
+                                "cannot be told: what it depends on must be right first");
         }
     // The frames are wrong and yet each term is right alone: then it is how they are put together.
-    if (std::all_of(checks.begin(), checks.end(),
-                    [](const Check& one) { return one.status == CheckStatus::pass; }))
-        for (Check& check : checks)
-            if (check.isNew || check.id == "sum") {
-                check.score = 0;
-                check.status = CheckStatus::fail;
-                check.message = it ? "ogni termine da solo è giusto, ma l'insieme no"
-                                   : "each term alone is right, but not all together";
-            }
-}
-
-PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
-                         const std::vector<std::string>& problems, const std::set<std::string>& shaders,
-                         const DrawStates& drawStates) const {
-    const bool it = language_ == Language::it;
-    const Evidence evidence(expected_, found);
-    PartVerdict verdict;
-    for (const TermCheck& term : rubric_.terms)
-        verdict.checks.push_back(start(term));
-    for (Check& check : verdict.checks)
-        check.message = it ? "l'immagine è giusta in tutte le scene" : "the picture is right in all scenes";
-    verdict.pictures = evidence.pictures("terms", language_, show_);
-    if (evidence.right())
-        return verdict;
-    const bool complete =
-        std::all_of(found.begin(), found.end(), [](const auto& frame) { return !frame.empty(); });
-    const std::vector<Blame> why = complete ? blames(found, shaders) : std::vector<Blame>();
-    if (!complete)
-        for (Check& check : verdict.checks) {
+    if (std::any_of(checks.begin(), checks.end(),
+                    [](const Check& one) { return one.status != CheckStatus::pass; }))
+        return;
+    for (Check& check : checks)
+        if (check.isNew || check.id == "sum") {
             check.score = 0;
             check.status = CheckStatus::fail;
-            for (std::size_t i = found.size(); i-- > 0;)
-                if (found[i].empty())
-                    check.message = (it ? "manca un'immagine: " : "a frame is missing: ") +
-                                    expected_[i].name() + ": " + problems[i];
+            check.message = say("ogni termine da solo è giusto, ma l'insieme no",
+                                "each term alone is right, but not all together");
         }
-    else if (why.empty())
-        judgeByStates(verdict.checks, drawStates);
+}
+
+void Terms::judgeMissing(std::vector<Check>& checks, const std::vector<std::vector<float>>& found,
+                         const std::vector<std::string>& problems) const {
+    for (Check& check : checks) {
+        check.score = 0;
+        check.status = CheckStatus::fail;
+        for (std::size_t i = found.size(); i-- > 0;)
+            if (found[i].empty())
+                check.message = say("manca un'immagine: ", "a frame is missing: ") + expected_[i].name() +
+                                ": " + problems[i];
+    }
+}
+
+void Terms::judgeByBlame(std::vector<Check>& checks, const std::vector<Blame>& why) const {
+    for (Check& check : checks)
+        check.message = say("non è questo l'errore", "the mistake is not here");
     for (const Blame& one : why)
-        for (Check& check : verdict.checks)
+        for (Check& check : checks)
             if (std::find(one.checks.begin(), one.checks.end(), check.id) != one.checks.end()) {
                 check.score = check.maxScore * one.credit;
                 check.status = one.credit > 0 ? CheckStatus::partial : CheckStatus::fail;
@@ -274,20 +290,28 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
                 check.explanation = one.explanation;
                 check.hint = one.explanation ? one.explanation->hint : "";
             }
-    for (Check& check : verdict.checks)
-        if (check.status == CheckStatus::pass && !why.empty())
-            check.message = it ? "non è questo l'errore" : "the mistake is not here";
-    for (Check& check : verdict.checks) {
-        check.regions = evidence.regions();
-        if (check.status == CheckStatus::pass)
-            continue;
-        if (check.hint.empty())
-            check.hint = it ? "Rileggi le slide indicate e il TODO del termine, e confronta le immagini."
-                            : "Reread the slides named here and the term's TODO, and compare the pictures.";
-        check.worst = evidence.worstPixel();
-        for (const Picture& picture : verdict.pictures)
-            check.images.push_back(picture.image.id);
+}
+
+PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
+                         const std::vector<std::string>& problems, const std::set<std::string>& shaders,
+                         const DrawStates& drawStates) const {
+    const Evidence evidence(expected_, found);
+    PartVerdict verdict;
+    for (const TermCheck& term : rubric_.terms) {
+        verdict.checks.push_back(start(term));
+        verdict.checks.back().message =
+            say("l'immagine è giusta in tutte le scene", "the picture is right in all scenes");
     }
+    verdict.pictures = evidence.pictures("terms", language_, show_);
+    if (evidence.right())
+        return verdict;
+    if (std::any_of(found.begin(), found.end(), [](const auto& frame) { return frame.empty(); }))
+        judgeMissing(verdict.checks, found, problems);
+    else if (const std::vector<Blame> why = blames(found, shaders); !why.empty())
+        judgeByBlame(verdict.checks, why);
+    else
+        judgeByStates(verdict.checks, drawStates);
+    show(evidence, language_, verdict);
     return verdict;
 }
 

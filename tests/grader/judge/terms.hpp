@@ -4,6 +4,7 @@
 
 #include "grader/judge/steps.hpp"
 
+#include <map>
 #include <set>
 
 namespace grader {
@@ -40,6 +41,11 @@ class Terms {
     Blame blame(std::vector<std::string> ids, const Explainer::Fit& fit,
                 const std::set<std::string>& shaders) const;
     void judgeByStates(std::vector<Check>& checks, const DrawStates& drawStates) const;
+    std::map<std::string, double> sharesOfStates(const DrawStates& drawStates) const;
+    void judgeMissing(std::vector<Check>& checks, const std::vector<std::vector<float>>& found,
+                      const std::vector<std::string>& problems) const;
+    void judgeByBlame(std::vector<Check>& checks, const std::vector<Blame>& why) const;
+    const char* say(const char* it, const char* en) const { return language_ == Language::it ? it : en; }
     Check start(const TermCheck& term) const;
 
     const Rubric& rubric_;
@@ -48,7 +54,12 @@ class Terms {
     Show show_;
     std::vector<std::shared_ptr<const THREE::LoadedScene>> scenes_;
     std::vector<ExpectedFrame> expected_;
-    mutable std::unique_ptr<Explainer> explainer_;
+    // Matte scenes are explained by themselves, before shiny ones: a mistake in the sum looks the same there whatever it does to highlights.
+    struct Group {
+        std::vector<std::size_t> frames;
+        std::unique_ptr<Explainer> explainer;
+    };
+    mutable std::vector<Group> groups_;
 };
 
 }  // namespace grader

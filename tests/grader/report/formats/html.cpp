@@ -89,17 +89,19 @@ std::string files(const Report& report) {
            "</tbody></table>\n</section>\n";
 }
 
-std::string folded(const char* title, const std::string& text) {
+std::string folded(const char* title, const std::string& text, bool open) {
     return text.empty() ? ""
-                        : std::string("<details><summary>") + title + "</summary>" + element("pre", text) +
-                              "</details>\n";
+                        : std::string("<details") + (open ? " open" : "") + "><summary>" + title +
+                              "</summary>" + element("pre", text) + "</details>\n";
 }
 
 std::string logs(const Report& report) {
+    const bool built = report.checks.empty() || report.checks[0].status == CheckStatus::pass;
     const std::string all =
         folded(say(report.language, "What the compiler said", "Che cosa ha detto il compilatore"),
-               report.buildLog) +
-        folded(say(report.language, "What the program said", "Che cosa ha detto il programma"), report.said);
+               report.buildLog, !built) +
+        folded(say(report.language, "What the program said", "Che cosa ha detto il programma"), report.said,
+               false);
     return all.empty() ? "" : "<section class=\"card\">\n" + all + "</section>\n";
 }
 

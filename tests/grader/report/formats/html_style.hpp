@@ -67,7 +67,7 @@ td.value,th.symbol{font-family:ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaV
 .two{display:grid;grid-template-columns:1fr 1fr;gap:.6rem 2rem;align-items:start}.two>*{min-width:0}
 .swatch{display:inline-block;width:1.25em;height:1.25em;border-radius:5px;border:1px solid var(--soft);vertical-align:-.28em;margin-right:.55em;
 -webkit-print-color-adjust:exact;print-color-adjust:exact}
-.share td:nth-child(2){width:42%}.share .num,.share th:last-child,.files .num,.files th:last-child{text-align:right;padding-right:0}
+.share td:nth-child(2){width:42%}.share .num{padding-left:.8rem}.share .num,.share th:last-child,.files .num,.files th:last-child{text-align:right;padding-right:0}
 table.sortable th button{font:inherit;color:inherit;background:none;border:0;padding:0;cursor:pointer;text-align:left}
 table.sortable th button:hover{text-decoration:underline}
 th[aria-sort=ascending] button::after{content:" \25B2"}th[aria-sort=descending] button::after{content:" \25BC"}
@@ -75,19 +75,19 @@ table.sortable td,table.sortable thead th{white-space:nowrap}table.sortable tbod
 .sign{display:inline-block;width:1.55em;text-align:center;border-radius:6px;font-weight:700}
 .stack{display:flex;gap:2px;height:.75rem;border-radius:99px;overflow:hidden;min-width:7rem;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 .stack i{display:block;height:100%}
-.checks thead th,.checks .num{text-align:center}.checks td:nth-child(2){width:34%}.checks tbody th{font-weight:500}
+.checks .num{text-align:center}.card>h2{margin-bottom:.7rem}.checks td:nth-child(2){width:34%}.checks tbody th{font-weight:500}
 .wrong td:nth-child(3){width:18%}.wrong td:last-child{width:38%}
-.scroll{overflow-x:auto}
+.scroll{overflow-x:auto}.scroll tbody th{min-width:10rem}
 details{border-top:1px solid var(--line);padding:.55rem 0}details:first-of-type{border-top:0}
 summary{cursor:pointer;font-weight:600}
 pre{margin:.6rem 0 .2rem;padding:.85rem 1rem;background:var(--paper);border:1px solid var(--line);border-radius:9px;overflow:auto;max-height:28rem;
 font:.83rem/1.5 ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono",monospace;white-space:pre-wrap;overflow-wrap:anywhere}
 footer{color:var(--soft);font-size:.85rem;margin-top:2rem;overflow-wrap:anywhere}
 @media(max-width:40rem){main{padding:1rem .75rem 3rem}h1{font-size:1.35rem}.card{padding:1rem}.top{gap:1rem;padding:1.1rem}.ring{width:86px;height:86px}
-.list{padding:.2rem 0}.list .row{flex-wrap:wrap;gap:.25rem .7rem;padding:.6rem .9rem}.list .name{flex:1 0 100%;order:-1}.list .num{margin-left:auto}
+.list{padding:.2rem 0}.list .row{flex-wrap:wrap;gap:.25rem .7rem;padding:.6rem .9rem}.list .name{flex:1 0 100%;order:-1}.list .num{margin-left:auto}.list .pill{min-width:0}
 .check h2{flex:1 0 100%;order:3}.check header .num{margin-left:auto}.share td:nth-child(2){width:34%}
 .two{grid-template-columns:1fr}.pictures{grid-template-columns:1fr 1fr}
-.pictures figure:nth-child(3n){grid-column:1/-1}.pictures figure:nth-child(3n) img{max-width:calc(50% - .45rem)}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5rem}}
+.pictures figure:nth-child(3n){grid-column:1/-1;display:grid;grid-template-columns:1fr 1fr;gap:.9rem;align-items:center}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5rem}}
 @media print{:root{--paper:#fff;--card:#fff;--ink:#000;--soft:#444;--line:#bbb;--note:#f3f3f3}body{font-size:11pt}main{max-width:none;padding:0}
 .card{break-inside:avoid-page;border-radius:6px}.check{break-inside:auto}figure,table,.why{break-inside:avoid}pre{max-height:none}.pill,.why{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )css";

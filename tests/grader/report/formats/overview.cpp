@@ -27,7 +27,7 @@ document.querySelectorAll("table.sortable th button").forEach(function (button) 
 });
 )js";
 constexpr const char* sortScriptHash =
-    "hoO098/8ztWkPfIJ73wFow6KMBCkbSdtZbTPdmowYEE=";  // its SHA-256; tests/grader/report/test/test_pages computes it again
+    "hoO098/8ztWkPfIJ73wFow6KMBCkbSdtZbTPdmowYEE=";  // its SHA-256: the test report.files says which
 
 // A path as a relative URL: every byte that could mean something else is written as %XX.
 std::string url(const std::string& path) {
@@ -65,7 +65,8 @@ std::string troubles(Language language, const Members& members) {
     return rows.empty() ? ""
                         : "<section class=\"card notice\">\n<h2>" +
                               std::string(say(language, "Without marks", "Senza voto")) +
-                              "</h2>\n<table><tbody>" + rows + "</tbody></table>\n</section>\n";
+                              "</h2>\n<div class=\"scroll\"><table><tbody>" + rows +
+                              "</tbody></table></div>\n</section>\n";
 }
 
 std::string misconceptions(Language language, const std::vector<MisconceptionCount>& counts,
@@ -102,7 +103,7 @@ std::string similarities(Language language, const Members& members) {
                                   say(language, "These render from the same source: reported, never judged.",
                                       "Queste disegnano dallo stesso sorgente: segnalate, mai giudicate."),
                                   "soft") +
-                              "<table><tbody>" + rows + "</tbody></table>\n";
+                              "<div class=\"scroll\"><table><tbody>" + rows + "</tbody></table></div>\n";
 }
 
 std::string sortHead(const char* words) {

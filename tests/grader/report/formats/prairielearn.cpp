@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 using Pictures = std::map<std::string, std::string>;  // PNGs by an image's id
 
 constexpr std::size_t most = 1000000;  // bytes of the whole file
+constexpr std::size_t mostPictures = 60;
 constexpr std::size_t longestLog = 40000;
 constexpr std::size_t smallest = 2000;  // bytes of a PNG that is not worth making smaller
 
@@ -83,8 +84,9 @@ bool shrinkLargest(Pictures& pictures) {
 }  // namespace
 
 std::string prairielearn(const Report& report, const std::filesystem::path& folder) {
-    Pictures pictures;
     std::vector<std::string> ids = wantedImages(report);
+    ids.resize(std::min(ids.size(), mostPictures));
+    Pictures pictures;
     for (const std::string& id : ids)
         if (std::string png = pngBytes(*findImage(report, id), folder); !png.empty())
             pictures[id] = std::move(png);

@@ -286,11 +286,19 @@ void writeImages(const Report& report, const std::filesystem::path& folder, int 
 }
 
 std::filesystem::path folderFor(const std::string& name) {
-    const auto folder = std::filesystem::temp_directory_path() /
-                        ("lambert_report_" + std::to_string(::getpid()) + "_" + name);
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
+    struct Folders : std::vector<std::filesystem::path> {
+        ~Folders() {
+            std::error_code error;
+            for (const auto& folder : *this)
+                std::filesystem::remove_all(folder, error);
+        }
+    };
+    static Folders made;  // removed when the tests are over
+    made.push_back(std::filesystem::temp_directory_path() /
+                   ("lambert_report_" + std::to_string(::getpid()) + "_" + name));
+    std::filesystem::remove_all(made.back());
+    std::filesystem::create_directories(made.back());
+    return made.back();
 }
 
 }  // namespace grader::samples
