@@ -31,7 +31,7 @@ int checkWith(CheckRequest request) {
     if (!request.once && request.picture.empty()) {
         std::string reason;
         const std::string title = request.grading.lesson + " - check";
-        if (const auto window = lab::openWindow(1280, 860, title, reason))
+        if (const auto window = lab::openWindow(1280, 720, title, reason))
             return checkInWindow(request, *window);
         std::cerr << "check: no window (" << reason << "); the picture is written to " << pictureWithoutWindow
                   << "\n";

@@ -14,6 +14,7 @@ namespace grader {
 namespace {
 
 constexpr std::size_t mostChecks = 3;  // in a window: the rest waits until these are right
+constexpr std::size_t lettersInTerminal = 100;
 constexpr std::size_t linesInWindow = 6, linesInTerminal = 20;  // of the compiler
 
 std::vector<std::string> linesIn(const std::string& text) {
@@ -40,7 +41,7 @@ const Check* failed(const Report& report, const std::string& id) {
 }
 
 // Of the compiler from the first error on, where it does not build; of the program or its shaders, where it does not draw.
-std::vector<std::string> diagnosis(const Report& report, std::size_t most) {
+std::vector<std::string> diagnosis(const Report& report) {
     if (failed(report, "builds") != nullptr) {
         std::vector<std::string> lines = linesIn(report.buildLog);
         const auto first = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
@@ -48,10 +49,10 @@ std::vector<std::string> diagnosis(const Report& report, std::size_t most) {
         });
         if (first != lines.end())
             lines.erase(lines.begin(), first);
-        return some(std::move(lines), most);
+        return lines;
     }
     if (failed(report, "runs") != nullptr || failed(report, "draws") != nullptr)
-        return some(linesIn(report.said), most);
+        return linesIn(report.said);
     return {};
 }
 
@@ -89,7 +90,7 @@ std::vector<std::string> worstOf(const WorstPixel& worst, Language language) {
     for (const TermNumber& number : worst.numbers)
         numbers += (numbers.empty() ? "" : ",  ") + number.symbol + " = " + number.value;
     if (!numbers.empty())
-        lines.push_back(say(language, "there: ", "lì: ") + numbers);
+        lines.push_back(say(language, "there it should be ", "lì dovrebbe essere ") + numbers);
     return lines;
 }
 
@@ -112,8 +113,9 @@ class Page {
                 check.explanation->name);
         if (!check.expected.empty())
             add("    " + std::string(say(language, "To be seen: ", "Da vedere: ")) + check.expected);
-        if (!check.hint.empty())
+        if (!check.hint.empty() && check.hint != hint_)
             add("    " + check.hint, lab::Tone::idle);
+        hint_ = check.hint;
     }
     void addNames(const char* mark, const Report& report, CheckStatus status) {
         std::string names;
@@ -127,6 +129,7 @@ class Page {
 
   private:
     std::size_t letters_;
+    std::string hint_;  // the last one: many checks have the same
     std::vector<lab::Line> lines_;
 };
 
@@ -183,12 +186,13 @@ std::string verdictOf(const Report& report) {
 std::string textOf(const Graded& graded) {
     const Report& report = graded.report;
     std::string text = summary(report);
-    for (const std::string& line : diagnosis(report, linesInTerminal))
+    for (const std::string& line : some(diagnosis(report), linesInTerminal))
         text += line + "\n";
     for (const Check& check : report.checks)
         if (check.status != CheckStatus::pass && check.worst) {
             for (const std::string& line : worstOf(*check.worst, report.language))
-                text += line + "\n";
+                for (const std::string& piece : wrapped(line, lettersInTerminal))
+                    text += piece + "\n";
             break;
         }
     if (!allRight(report) && std::any_of(graded.pictures.begin(), graded.pictures.end(),
@@ -214,7 +218,12 @@ std::vector<lab::Line> linesOf(const Graded& graded, std::size_t letters) {
         if (worst == nullptr && check.worst)
             worst = &*check.worst;
     }
-    for (const std::string& line : diagnosis(report, linesInWindow))
+    // Without the excerpts, which say where in letters of one width.
+    std::vector<std::string> said = diagnosis(report);
+    said.erase(std::remove_if(said.begin(), said.end(),
+                              [](const std::string& line) { return line.empty() || line[0] == ' '; }),
+               said.end());
+    for (const std::string& line : some(std::move(said), linesInWindow))
         page.add("    " + line);
     if (wrong > mostChecks)
         page.add(say(report.language, "and more: ", "e altro: ") + std::to_string(wrong - mostChecks));

@@ -13,7 +13,7 @@ namespace grader {
 namespace {
 
 constexpr int gap = 8;
-constexpr double upperPart = 0.52;  // of a window's height
+constexpr double smallest = 0.3;  // of a window's height
 constexpr std::array<const char*, 3> roles{"yours", "expected", "difference"};
 
 // Between the four codes around a place, so that a picture of another size is neither coarse nor ragged.
@@ -110,21 +110,22 @@ std::vector<Trio> triosOf(const Graded& graded) {
     return trios;
 }
 
-Places placesIn(int width, int height, int band) {
+Places placesIn(int width, int height, int above, int below) {
     Places places;
-    places.size = std::max(1, std::min((width - 4 * gap) / 3, static_cast<int>(height * upperPart)));
+    const int high = std::max(height - above - below, static_cast<int>(height * smallest));
+    places.size = std::max(1, std::min((width - 4 * gap) / 3, high));
     const int all = 3 * places.size + 2 * gap, first = (width - all) / 2;
     for (int i = 0; i < 3; ++i)
         places.left[static_cast<std::size_t>(i)] = first + i * (places.size + gap);
-    places.top = band;
+    places.top = above;
     return places;
 }
 
-image::Frame drawn(const Trio& trio, int width, int height, const Places& places, bool light) {
+image::Frame drawn(const Trio* trio, int width, int height, const Places& places, bool light) {
     Sheet sheet(width, height, light ? 226 : 38);
-    for (std::size_t i = 0; i < 3; ++i)
-        if (trio.pictures[i].width > 0)
-            sheet.put(trio.pictures[i], places.left[i], places.top, places.size);
+    for (std::size_t i = 0; trio != nullptr && i < 3; ++i)
+        if (trio->pictures[i].width > 0)
+            sheet.put(trio->pictures[i], places.left[i], places.top, places.size);
         else
             sheet.cross(places.left[i], places.top, places.size);
     return sheet.take();
@@ -136,7 +137,7 @@ image::Frame pictureOf(const Trio& trio) {
     places.top = gap;
     for (int i = 0; i < 3; ++i)
         places.left[static_cast<std::size_t>(i)] = gap + i * (places.size + gap);
-    return drawn(trio, 3 * places.size + 4 * gap, places.size + 2 * gap, places, false);
+    return drawn(&trio, 3 * places.size + 4 * gap, places.size + 2 * gap, places, false);
 }
 
 void writePicture(const std::string& file, const Trio& trio, const Report& report) {

@@ -23,12 +23,13 @@ std::vector<Trio> triosOf(const Graded& graded);
 struct Places {
     std::array<int, 3> left{};
     int top = 0, size = 0;
+    bool operator==(const Places&) const = default;
 };
-/// As large as they can be at the top of a window, below `band` pixels and in its upper part.
-Places placesIn(int width, int height, int band);
+/// As large as they can be in a window between `above` and `below`, pixels, but never hardly visible.
+Places placesIn(int width, int height, int above, int below);
 
-/// The three at their places on a plain ground. What is missing is a crossed square.
-image::Frame drawn(const Trio& trio, int width, int height, const Places& places, bool light);
+/// The three at their places on a plain ground; null: the ground alone. What is missing is a crossed square.
+image::Frame drawn(const Trio* trio, int width, int height, const Places& places, bool light);
 
 /// The three as they are, beside each other, for a file.
 image::Frame pictureOf(const Trio& trio);

@@ -136,22 +136,27 @@ class CheckWindow {
         if (width < 1 || height < 1)
             return;
         const bool resized = target_ == nullptr || target_->width() != width || target_->height() != height;
-        const Places places = placesIn(width, height, style_.fontSize * 7 / 4);
+        lab::Panel shown = panel(width);
+        const double line = 1.25 * style_.fontSize;
+        const Places places = placesIn(width, height, style_.fontSize * 7 / 4,
+                                       static_cast<int>(line * (static_cast<double>(shown.rows.size()) + 2)));
+        captions(shown, width, height, places);
+        stale_ = stale_ || places != places_;
+        places_ = places;
         if (resized)
             target_ =
                 std::make_unique<render::RenderTarget>(width, height, render::PixelFormat::codes, false);
         if (resized || stale_)
             target_->write(
-                drawn(trios_.empty() ? Trio() : trios_[shown_], width, height, places, style_.light));
+                drawn(trios_.empty() ? nullptr : &trios_[shown_], width, height, places, style_.light));
         stale_ = false;
         target_->show();
-        window_.show(panel(width, height, places));
+        window_.show(shown);
     }
 
-    lab::Panel panel(int width, int height, const Places& places) const {
+    lab::Panel panel(int width) const {
         lab::Panel panel;
         panel.style = style_;
-        captions(panel, width, height, places);
         const bool differs = !trios_.empty() && !allRight(graded_->report);
         // About as many letters as fit; beside the legend where there is one.
         const double room = width * (differs ? 0.72 : 0.95) / (0.56 * style_.fontSize);
@@ -179,16 +184,15 @@ class CheckWindow {
     }
 
     void captions(lab::Panel& panel, int width, int height, const Places& places) const {
-        const bool old = worker_.busy() && graded_;
         std::array<std::string, 3> words{say("mine", "la mia"), say("expected", "attesa"),
                                          say("difference", "differenza")};
-        if (trios_.empty() && !worker_.busy())
+        if (trios_.empty())
             return;
-        if (!trios_.empty() && trios_[shown_].pictures[0].width == 0)
+        if (trios_[shown_].pictures[0].width == 0)
             words[0] += say(": there is none", ": non c'è");
-        if (old)
+        if (worker_.busy())
             words[0] += say(" (before the save)", " (prima del salvataggio)");
-        if (!trios_.empty() && !trios_[shown_].view.empty())
+        if (!trios_[shown_].view.empty())
             words[1] += " (" + trios_[shown_].view + ")";
         for (std::size_t i = 0; i < words.size(); ++i)
             panel.tags.push_back({{static_cast<double>(places.left[i] + style_.fontSize / 4) / width,
@@ -210,6 +214,7 @@ class CheckWindow {
     std::optional<Graded> graded_;
     std::vector<Trio> trios_;
     std::size_t shown_ = 0;  // of them
+    Places places_;
     std::string note_;
     bool closed_ = false, stale_ = true;
     std::unique_ptr<render::RenderTarget> target_;
