@@ -117,6 +117,15 @@ class Page {
             add("    " + check.hint, lab::Tone::idle);
         hint_ = check.hint;
     }
+    // Without the compiler's excerpts, which need letters of one width.
+    void addSaid(const Report& report) {
+        std::vector<std::string> said = diagnosis(report);
+        said.erase(std::remove_if(said.begin(), said.end(),
+                                  [](const std::string& line) { return line.empty() || line[0] == ' '; }),
+                   said.end());
+        for (const std::string& line : some(std::move(said), linesInWindow))
+            add("    " + line);
+    }
     void addNames(const char* mark, const Report& report, CheckStatus status) {
         std::string names;
         for (const Check& check : report.checks)
@@ -132,6 +141,39 @@ class Page {
     std::string hint_;  // the last one: many checks have the same
     std::vector<lab::Line> lines_;
 };
+
+enum class Detail { all, noNumbers, firstCheck };
+
+std::vector<lab::Line> pageOf(const Graded& graded, std::size_t letters, Detail detail) {
+    const Report& report = graded.report;
+    const bool right = allRight(report);
+    const std::size_t most = detail == Detail::firstCheck ? 1 : mostChecks;
+    Page page(letters);
+    page.add((right ? "\u2713 " : "\u2717 ") + verdictOf(report),
+             right ? lab::Tone::title : lab::Tone::wrong);
+    std::size_t wrong = 0;
+    const WorstPixel* worst = nullptr;
+    for (const Check& check : report.checks) {
+        if (check.status != CheckStatus::fail && check.status != CheckStatus::partial)
+            continue;
+        if (wrong++ >= most)
+            continue;
+        page.addWrong(check, report.language);
+        if (worst == nullptr && check.worst)
+            worst = &*check.worst;
+    }
+    page.addSaid(report);
+    if (wrong > most)
+        page.add(say(report.language, "and more: ", "e altro: ") + std::to_string(wrong - most));
+    if (worst != nullptr && detail == Detail::all)
+        for (const std::string& line : worstOf(*worst, report.language))
+            page.add(line);
+    page.addNames(say(report.language, "\u2026 not looked at yet: ", "\u2026 non ancora guardati: "), report,
+                  CheckStatus::skipped);
+    if (detail != Detail::firstCheck)
+        page.addNames("\u2713 ", report, CheckStatus::pass);
+    return page.take();
+}
 
 }  // namespace
 
@@ -201,39 +243,14 @@ std::string textOf(const Graded& graded) {
     return harmless(text + "check: " + verdictOf(report) + "\n");
 }
 
-std::vector<lab::Line> linesOf(const Graded& graded, std::size_t letters) {
-    const Report& report = graded.report;
-    const bool right = allRight(report);
-    Page page(letters);
-    page.add((right ? "\u2713 " : "\u2717 ") + verdictOf(report),
-             right ? lab::Tone::title : lab::Tone::wrong);
-    std::size_t wrong = 0;
-    const WorstPixel* worst = nullptr;
-    for (const Check& check : report.checks) {
-        if (check.status != CheckStatus::fail && check.status != CheckStatus::partial)
-            continue;
-        if (wrong++ >= mostChecks)
-            continue;
-        page.addWrong(check, report.language);
-        if (worst == nullptr && check.worst)
-            worst = &*check.worst;
+std::vector<lab::Line> linesOf(const Graded& graded, std::size_t letters, std::size_t most) {
+    std::vector<lab::Line> lines;
+    for (const Detail detail : {Detail::all, Detail::noNumbers, Detail::firstCheck}) {
+        lines = pageOf(graded, letters, detail);
+        if (lines.size() <= most)
+            break;
     }
-    // Without the excerpts, which say where in letters of one width.
-    std::vector<std::string> said = diagnosis(report);
-    said.erase(std::remove_if(said.begin(), said.end(),
-                              [](const std::string& line) { return line.empty() || line[0] == ' '; }),
-               said.end());
-    for (const std::string& line : some(std::move(said), linesInWindow))
-        page.add("    " + line);
-    if (wrong > mostChecks)
-        page.add(say(report.language, "and more: ", "e altro: ") + std::to_string(wrong - mostChecks));
-    if (worst != nullptr)
-        for (const std::string& line : worstOf(*worst, report.language))
-            page.add(line);
-    page.addNames(say(report.language, "\u2026 not looked at yet: ", "\u2026 non ancora guardati: "), report,
-                  CheckStatus::skipped);
-    page.addNames("\u2713 ", report, CheckStatus::pass);
-    return page.take();
+    return lines;
 }
 
 }  // namespace grader

@@ -13,8 +13,8 @@ bool allRight(const Report& report);
 std::string verdictOf(const Report& report);
 /// Everything, for a terminal: summary(), what compiler or program say, the legend of the difference, the verdict.
 std::string textOf(const Graded& graded);
-/// What matters first, for a window, broken into lines of so many letters.
-std::vector<lab::Line> linesOf(const Graded& graded, std::size_t letters);
+/// What matters first, for a window, broken into lines of so many letters; where these are more than `most`, with less detail.
+std::vector<lab::Line> linesOf(const Graded& graded, std::size_t letters, std::size_t most);
 /// Lines of so many letters, broken at blanks; those after the first begin with two more blanks than it.
 std::vector<std::string> wrapped(const std::string& text, std::size_t letters);
 

@@ -18,6 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = lab::Event::Kind;
 
+constexpr double lineHeight = 1.25;  // heights of a letter
+constexpr double share = 0.45;  // of the window that the feedback may have
+
 // The folder of a file, or a folder and those in it: what editors save into.
 std::vector<std::string> foldersOf(const fs::path& file) {
     std::error_code error;
@@ -136,8 +139,8 @@ class CheckWindow {
         if (width < 1 || height < 1)
             return;
         const bool resized = target_ == nullptr || target_->width() != width || target_->height() != height;
-        lab::Panel shown = panel(width);
-        const double line = 1.25 * style_.fontSize;
+        lab::Panel shown = panel(width, height);
+        const double line = lineHeight * style_.fontSize;
         const Places places = placesIn(width, height, style_.fontSize * 7 / 4,
                                        static_cast<int>(line * (static_cast<double>(shown.rows.size()) + 2)));
         captions(shown, width, height, places);
@@ -154,28 +157,30 @@ class CheckWindow {
         window_.show(shown);
     }
 
-    lab::Panel panel(int width) const {
+    lab::Panel panel(int width, int height) const {
         lab::Panel panel;
         panel.style = style_;
         const bool differs = !trios_.empty() && !allRight(graded_->report);
         // About as many letters as fit; beside the legend where there is one.
         const double room = width * (differs ? 0.72 : 0.95) / (0.56 * style_.fontSize);
         const auto letters = static_cast<std::size_t>(std::max(24.0, room));
+        const auto most = static_cast<std::size_t>(height * share / (lineHeight * style_.fontSize));
         if (worker_.busy())
             panel.rows.push_back(
                 {{graded_ ? say("\u2026 building what was saved", "\u2026 compilo ciò che è stato salvato")
                           : say("\u2026 building for the first time", "\u2026 compilo per la prima volta"),
                   lab::Tone::active}});
         if (graded_)
-            for (lab::Line& line : linesOf(*graded_, letters))
+            for (lab::Line& line : linesOf(*graded_, letters, most))
                 panel.rows.push_back(std::move(line));
         for (const std::string& line : wrapped(harmless(note_), letters))
             if (!line.empty())
                 panel.rows.push_back({{line, lab::Tone::plain}});
-        std::string keys = say("R build again   F2 save the picture   + - letters   T theme   Esc close",
-                               "R ricompila   F2 salva l'immagine   + - caratteri   T tema   Esc chiude");
+        std::string keys = say(
+            "R build again \u00b7 F2 save the picture \u00b7 + - letters \u00b7 T theme \u00b7 Esc close",
+            "R ricompila \u00b7 F2 salva l'immagine \u00b7 + - caratteri \u00b7 T tema \u00b7 Esc chiude");
         if (trios_.size() > 1)
-            keys += say("   Tab the other pictures", "   Tab le altre immagini");
+            keys += say(" \u00b7 Tab the other pictures", " \u00b7 Tab le altre immagini");
         for (const std::string& line : wrapped(keys, letters))
             panel.rows.push_back({{line, lab::Tone::idle}});
         if (differs && trios_[shown_].pictures[2].width > 0)
