@@ -33,27 +33,59 @@ std::vector<std::string> some(std::vector<std::string> lines, std::size_t most) 
     return lines;
 }
 
-const Check* failed(const Report& report, const std::string& id) {
-    for (const Check& check : report.checks)
-        if (check.id == id && check.status == CheckStatus::fail)
-            return &check;
-    return nullptr;
+bool isGate(const Check& check) { return check.id == "builds" || check.id == "runs" || check.id == "draws"; }
+
+bool failed(const Report& report, const std::string& id) {
+    return std::any_of(report.checks.begin(), report.checks.end(), [&](const Check& check) {
+        return check.id == id && check.status == CheckStatus::fail;
+    });
 }
 
 // Of the compiler from the first error on, where it does not build; of the program or its shaders, where it does not draw.
 std::vector<std::string> diagnosis(const Report& report) {
-    if (failed(report, "builds") != nullptr) {
-        std::vector<std::string> lines = linesIn(report.buildLog);
+    const auto fromError = [](std::vector<std::string> lines) {
         const auto first = std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
             return line.find("error:") != std::string::npos;
         });
         if (first != lines.end())
             lines.erase(lines.begin(), first);
         return lines;
-    }
-    if (failed(report, "runs") != nullptr || failed(report, "draws") != nullptr)
-        return linesIn(report.said);
+    };
+    if (failed(report, "builds"))
+        return fromError(linesIn(report.buildLog));
+    if (failed(report, "runs") || failed(report, "draws"))
+        return fromError(linesIn(report.said));
     return {};
+}
+
+// As far as a line of a terminal goes.
+void append(std::string& list, const char* between, const std::string& word) {
+    constexpr std::size_t most = 40;
+    if (list.size() < most)
+        list += between + word;
+    else if (!list.ends_with(" ..."))
+        list += " ...";
+}
+
+// Checks that have not passed for one and the same reason, as where no frame came back, are told as one.
+Report merged(Report report) {
+    std::vector<Check> checks;
+    for (Check& check : report.checks) {
+        Check* const last = checks.empty() ? nullptr : &checks.back();
+        if (last == nullptr || check.status == CheckStatus::pass || last->status != check.status ||
+            last->message != check.message || last->hint != check.hint || last->explanation) {
+            checks.push_back(std::move(check));
+            continue;
+        }
+        append(last->id, ", ", check.id);
+        append(last->title, "; ", check.title);
+        last->slides.clear();
+        last->expected.clear();
+        last->score += check.score;
+        last->maxScore += check.maxScore;
+    }
+    report.checks = std::move(checks);
+    return report;
 }
 
 std::string slidesOf(const Check& check) {
@@ -130,7 +162,7 @@ class Page {
         std::string names;
         for (const Check& check : report.checks)
             if (check.status == status)
-                names += (names.empty() ? mark : ", ") + check.title;
+                names += (names.empty() ? mark : "; ") + check.title;
         if (!names.empty())
             add(names, lab::Tone::idle);
     }
@@ -145,7 +177,7 @@ class Page {
 enum class Detail { all, noNumbers, firstCheck };
 
 std::vector<lab::Line> pageOf(const Graded& graded, std::size_t letters, Detail detail) {
-    const Report& report = graded.report;
+    const Report report = merged(graded.report);
     const bool right = allRight(report);
     const std::size_t most = detail == Detail::firstCheck ? 1 : mostChecks;
     Page page(letters);
@@ -159,15 +191,18 @@ std::vector<lab::Line> pageOf(const Graded& graded, std::size_t letters, Detail 
         if (wrong++ >= most)
             continue;
         page.addWrong(check, report.language);
+        if (isGate(check))
+            page.addSaid(report);
         if (worst == nullptr && check.worst)
             worst = &*check.worst;
     }
-    page.addSaid(report);
     if (wrong > most)
         page.add(say(report.language, "and more: ", "e altro: ") + std::to_string(wrong - most));
-    if (worst != nullptr && detail == Detail::all)
-        for (const std::string& line : worstOf(*worst, report.language))
-            page.add(line);
+    if (worst != nullptr && detail != Detail::firstCheck) {
+        const std::vector<std::string> lines = worstOf(*worst, report.language);
+        for (std::size_t i = 0; i < (detail == Detail::all ? lines.size() : 1); ++i)
+            page.add(lines[i]);
+    }
     page.addNames(say(report.language, "\u2026 not looked at yet: ", "\u2026 non ancora guardati: "), report,
                   CheckStatus::skipped);
     if (detail != Detail::firstCheck)
@@ -226,7 +261,7 @@ std::string verdictOf(const Report& report) {
 }
 
 std::string textOf(const Graded& graded) {
-    const Report& report = graded.report;
+    const Report report = merged(graded.report);
     std::string text = summary(report);
     for (const std::string& line : some(diagnosis(report), linesInTerminal))
         text += line + "\n";

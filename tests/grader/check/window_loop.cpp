@@ -165,14 +165,15 @@ class CheckWindow {
         const double room = width * (differs ? 0.72 : 0.95) / (0.56 * style_.fontSize);
         const auto letters = static_cast<std::size_t>(std::max(24.0, room));
         const auto most = static_cast<std::size_t>(height * share / (lineHeight * style_.fontSize));
-        if (worker_.busy())
-            panel.rows.push_back(
-                {{graded_ ? say("\u2026 building what was saved", "\u2026 compilo ciò che è stato salvato")
-                          : say("\u2026 building for the first time", "\u2026 compilo per la prima volta"),
-                  lab::Tone::active}});
         if (graded_)
-            for (lab::Line& line : linesOf(*graded_, letters, most))
-                panel.rows.push_back(std::move(line));
+            panel.rows = linesOf(*graded_, letters, most);
+        if (worker_.busy()) {  // in place of the old verdict, so that nothing moves
+            panel.rows.resize(std::max<std::size_t>(panel.rows.size(), 1));
+            panel.rows[0] = {
+                {graded_ ? say("\u2026 building what was saved", "\u2026 compilo ciò che è stato salvato")
+                         : say("\u2026 building for the first time", "\u2026 compilo per la prima volta"),
+                 lab::Tone::active}};
+        }
         for (const std::string& line : wrapped(harmless(note_), letters))
             if (!line.empty())
                 panel.rows.push_back({{line, lab::Tone::plain}});
