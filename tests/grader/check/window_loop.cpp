@@ -72,6 +72,7 @@ class CheckWindow {
         if (!round->trouble.empty())
             return;
         graded_ = std::move(round->graded);
+        window_.setTitle(graded_->report.lesson + " - check");
         trios_ = triosOf(*graded_);
         shown_ = 0;
         stale_ = true;
