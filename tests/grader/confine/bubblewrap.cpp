@@ -35,7 +35,8 @@ void addSystem(std::vector<std::string>& words) {
 
 Gathered runInBubblewrap(const Job& job, int slot) {
     Start start;
-    start.user = userOf(slot);
+    const Lease lease(slot);
+    start.user = lease.user();
     add(start.command, {"/usr/bin/bwrap", "--unshare-all", "--unshare-user", "--disable-userns",
                         "--die-with-parent", "--as-pid-1", "--new-session", "--clearenv"});
     addSystem(start.command);

@@ -10,7 +10,8 @@ namespace grader {
 
 namespace {
 
-constexpr int mostLines = 60;
+constexpr std::size_t mostLines = 60;
+constexpr std::ptrdiff_t firstLines = 40;
 
 // A name that no tool takes for an option, a path or a pattern.
 std::string tame(const std::string& name) {
@@ -62,17 +63,22 @@ std::string withoutFolders(const std::string& line) {
     return cut;
 }
 
+// The beginning and the end: what is wrong stands in one of them.
 std::string shortened(const std::string& said) {
     std::istringstream lines(said);
-    std::string log;
-    int count = 0;
-    for (std::string line; std::getline(lines, line); ++count) {
-        if (count < mostLines - 1) {
-            log += withoutFolders(line).substr(0, 400) + "\n";
-        }
+    std::vector<std::string> all;
+    for (std::string line; std::getline(lines, line);) {
+        all.push_back(withoutFolders(line).substr(0, 400));
     }
-    if (count >= mostLines) {
-        log += "(" + std::to_string(count - mostLines + 1) + " more lines)\n";
+    if (all.size() > mostLines) {
+        const auto end = all.end() - (static_cast<std::ptrdiff_t>(mostLines) - firstLines - 1);
+        const auto begin = all.begin() + firstLines;
+        const std::string left = "(" + std::to_string(end - begin) + " more lines)";
+        all.insert(all.erase(begin, end), left);
+    }
+    std::string log;
+    for (const std::string& line : all) {
+        log += line + "\n";
     }
     return harmless(log);  // cutting may have split a character
 }

@@ -5,6 +5,7 @@
 #include "grader/confine/confine.hpp"
 
 #include <map>
+#include <memory>
 
 namespace grader {
 
@@ -15,9 +16,11 @@ struct Kit {
     std::filesystem::path includes;  ///< the lab's headers
     std::filesystem::path compiled;  ///< the folder of lab/lab.hpp.gch
     std::filesystem::path library;  ///< all of the lab
+    std::shared_ptr<const void> copy;  ///< what keeps a copy of the three alive, if they had to be copied
 };
 
-/// The kit of this lab, in the build tree or installed. Throws std::runtime_error, which says what is not there.
+/// The kit of this lab, in the build tree or installed; a copy of it for all to read, as long as a Kit is left, where we are root and the
+/// lab lies where only root may look (/root, say), since submissions are built as another user. Throws std::runtime_error, which says what is not there.
 Kit findKit();
 
 /// A submission's source. Names may be anything that came in an archive.

@@ -52,6 +52,10 @@ void check(const Job& job) {
     }
     for (const Mount& mount : job.mounts) {
         checkPath(mount.to);
+        std::error_code error;
+        if (!std::filesystem::exists(mount.from, error)) {
+            refuse("it needs " + mount.from.string() + ", which is not there, or not for this user");
+        }
     }
     for (const auto& text : job.texts) {
         checkPath(text.first);
@@ -68,13 +72,6 @@ void check(const Job& job) {
 
 const char* name(Walls walls) {
     return walls == Walls::bubblewrap ? "bubblewrap" : walls == Walls::landlock ? "landlock" : "limits";
-}
-
-std::optional<uid_t> userOf(int slot) {
-    if (::geteuid() != 0) {
-        return {};
-    }
-    return static_cast<uid_t>(64000 + (slot % 500 + 500) % 500);
 }
 
 const std::vector<std::string>& systemFolders() {

@@ -98,8 +98,8 @@ class Confinement {
     Walls walls() const { return walls_; }
     /// In words, for the report: what holds, and if it is not the strongest, why not and what is missing.
     const std::string& description() const { return description_; }
-    /// Runs the job to its end. Everything that it started is gone when this returns. Thread-safe; `slot` is a number
-    /// that no other job of this machine's grader has at the time (for the user that it runs as).
+    /// Runs the job to its end. Everything that it started is gone when this returns. Thread-safe; `slot`, a number
+    /// that no other job has at the time, chooses the user that it runs as where we are root; another if that one is taken.
     Outcome run(const Job& job, int slot = 0) const;
 
   private:

@@ -119,7 +119,8 @@ std::uint64_t threadsOfMine() {
 Gathered runInFolder(const Job& asked, Walls walls, int slot) {
     Job job = asked;
     Start start;
-    const std::optional<uid_t> user = userOf(slot);
+    const Lease lease(slot);
+    const std::optional<uid_t> user = lease.user();
     if (!user.has_value()) {
         job.limits.processes += static_cast<int>(threadsOfMine());
     }

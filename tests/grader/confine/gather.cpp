@@ -13,6 +13,7 @@
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace grader {
@@ -104,6 +105,22 @@ void readBoth(int said, int result, const Job& job, Gathered& gathered) {
     }
 }
 
+// bubblewrap's namespace dies with it; grade_inside, where it is alone, first ends all that it has started.
+void end(pid_t process, bool late) {
+    if (late) {
+        ::kill(process, SIGTERM);
+        for (int i = 0; i < 500; ++i) {
+            if (::waitpid(process, nullptr, WNOHANG) == process) {
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        ::kill(process, SIGKILL);
+    }
+    while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
 }  // namespace
 
 Gathered gather(Start start, const std::string& task, const Job& job) {
@@ -136,11 +153,7 @@ Gathered gather(Start start, const std::string& task, const Job& job) {
     start.files.clear();
     Gathered gathered;
     readBoth(saidRead.number(), resultRead.number(), job, gathered);
-    if (gathered.late) {
-        ::kill(process, SIGKILL);  // bubblewrap's namespace dies with it
-    }
-    while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    end(process, gathered.late);
     return gathered;
 }
 

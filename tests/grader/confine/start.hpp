@@ -16,7 +16,7 @@ struct Start {
     std::vector<std::string> command;
     std::vector<std::string> environment;
     std::vector<Descriptor> files;  ///< open in it under the same numbers
-    std::optional<uid_t> user;  ///< to become first; nobody is root afterwards
+    std::optional<uid_t> user;  ///< to become first
 };
 
 /// What came back over the pipes, before anything of it is believed.
@@ -27,8 +27,18 @@ struct Gathered {
     bool late = false;  ///< it had to be killed from here
 };
 
-/// Who runs a job of this slot: none of the machine's users, where we are root; else nobody but ourselves.
-std::optional<uid_t> userOf(int slot);
+/// Who runs a job: where we are root, a user that no file belongs to and that no other grader has while this exists.
+class Lease {
+  public:
+    /// Prefers the slot's. Throws std::runtime_error if all are taken.
+    explicit Lease(int slot);
+    std::optional<uid_t> user() const { return user_; }
+
+  private:
+    std::optional<uid_t> user_;
+    Descriptor mark_;
+};
+
 /// What a program needs of the machine: compiler, libraries, drivers. Not all of /usr: a lab may be installed in it.
 const std::vector<std::string>& systemFolders();
 /// The bytes of lib/lambert-lab/grade_inside. Throws std::runtime_error.

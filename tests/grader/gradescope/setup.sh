@@ -27,7 +27,7 @@ fi
 
 # Without the tests of the lab itself: what is needed to build, run and judge this lesson.
 cmake -S "$lab" -B "$lab/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLAMBERT_TESTS=ON
-cmake --build "$lab/build" --target grade "$lesson"
+cmake --build "$lab/build" --target grader
 
 # An image that cannot draw should fail now, not on the first submission.
 "$lab/build/bin/$lesson" --size 16x16 --frame "$lab/build/first.png"

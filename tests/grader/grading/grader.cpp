@@ -79,6 +79,7 @@ Grader::Grader(const GraderOptions& options)
     const auto scenes = lessonScenes(views);
     steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes, show);
     terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front(), show);
+    tryLesson();
 }
 
 Grader::~Grader() = default;
@@ -132,6 +133,25 @@ Grader::lessonScenes(const std::vector<View>& views) const {
         scenes.push_back(loadScene(dump.scene));
     }
     return scenes;
+}
+
+// Before anybody is judged: the lab's own lesson must come out right, drawn here and now as submissions are.
+void Grader::tryLesson() {
+    Drawing drawing = drawingOf(rubric_, programBytes(rubric_.lesson), shaders_);
+    drawing.words = {"--stats"};
+    drawing.lines = {lineOf(steps_->views().front())};
+    const Frames drawn = draw(*confinement_, *kit_, drawing, 0);
+    const std::vector<float>& frame = drawn.frames.front();
+    if (frame.empty() || !compare(steps_->expected().front(), frame).right())
+        throw std::runtime_error(
+            "the lab's own " + rubric_.lesson + " does not come out right on this machine: " +
+            (frame.empty() ? drawn.problems.front() : "its frame is not the expected one") +
+            ". It says: " + drawn.outcome.said + drawn.outcome.trouble + " Nobody is graded.");
+    const std::string key = "\"renderer\":\"";
+    const std::size_t begin = drawn.outcome.said.find(key);
+    if (begin != std::string::npos)
+        renderer_ = drawn.outcome.said.substr(
+            begin + key.size(), drawn.outcome.said.find('"', begin + key.size()) - begin - key.size());
 }
 
 void Grader::prepare() const {

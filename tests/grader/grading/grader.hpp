@@ -62,12 +62,13 @@ class Grader {
     std::vector<std::shared_ptr<const THREE::LoadedScene>> lessonScenes(const std::vector<View>& views) const;
     void readLesson();
     void hashTool();
+    void tryLesson();
 
     GraderOptions options_;
     std::filesystem::path home_;
     Rubric rubric_;
     Texts texts_;
-    std::string title_, toolHash_;
+    std::string title_, toolHash_, renderer_;
     Expectations expectations_;
     std::map<std::string, std::string> shaders_;  // the lab's
     std::set<std::string> common_;

@@ -81,6 +81,7 @@ class Grader::One {
         report.rubricHash = grader_.rubric_.hash;
         report.lesson = grader_.rubric_.lesson;
         report.lessonTitle = grader_.title_;
+        report.renderer = grader_.renderer_;
         report.language = grader_.options_.language;
         report.submission = submission_.name;
         report.submissionHash = submission_.hash;
@@ -101,7 +102,6 @@ class Grader::One {
         Check check;
         check.id = id;
         check.title = say(it, en);
-        check.isNew = false;
         return check;
     }
 
@@ -190,11 +190,8 @@ class Grader::One {
     void termsPart() {
         Stopwatch watch;
         std::map<std::string, std::string> shaders = grader_.shaders_;
-        std::set<std::string> names;
-        for (const auto& [name, text] : submission_.shaders) {
+        for (const auto& [name, text] : submission_.shaders)
             shaders[name] = text;
-            names.insert(name);
-        }
         const auto& scenes = grader_.terms_->scenes();
         Frames all;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -206,7 +203,7 @@ class Grader::One {
         judge(
             [&] {
                 return grader_.terms_->judge(
-                    all.frames, all.problems, names,
+                    all.frames, all.problems, submission_.untouched,
                     [&](std::size_t scene, const std::vector<std::string>& states) {
                         return drawAll(sceneDrawing(shaders, scene, states), nullptr, watch).frames;
                     });

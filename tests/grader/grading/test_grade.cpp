@@ -143,13 +143,16 @@ INSTANTIATE_TEST_SUITE_P(All, ShaderMarks, testing::ValuesIn(sample(true)),
 
 class UnnamedMarks : public testing::TestWithParam<std::string> {};
 
-// What nothing explains is not named, and still loses.
+// What nothing explains is not named, and still loses. (D twice in both addends is two mistakes of the catalogue, and named so.)
 TEST_P(UnnamedMarks, AreNotFullAndInventNoName) {
     const auto grader = graderOf("lesson_05_attenuation");
     const Report report = gradeFiles(*grader, grader::unnamedSubmission(GetParam()));
     EXPECT_LT(report.score, 100) << said(report);
-    for (const Check& check : report.checks)
-        EXPECT_FALSE(check.explanation.has_value()) << check.id << ": " << check.explanation->name;
+    for (const Check& check : report.checks) {
+        EXPECT_EQ(check.explanation.has_value(),
+                  GetParam() == "paint_twice" && (check.id == "albedo" || check.id == "ambient"))
+            << check.id << ": " << (check.explanation ? check.explanation->name : "not named");
+    }
 }
 INSTANTIATE_TEST_SUITE_P(All, UnnamedMarks, testing::ValuesIn(grader::unnamedSubmissions()),
                          [](const auto& test) { return test.param; });

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "grader/judge/marks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace grader {
 
 namespace {
+
+constexpr double smallest = 0.01;  // points are told in hundredths
 
 double rounded(double points) { return std::round(points * 100) / 100; }
 
@@ -32,20 +35,21 @@ void countOldOnlyWithNew(std::vector<Check>& checks, Language language) {
 
 void addUp(Report& report, double points) {
     double all = 0;
-    for (const Check& check : report.checks)
+    bool full = true;
+    for (const Check& check : report.checks) {
         all += check.maxScore;
-    report.score = report.maxScore = 0;
+        full = full && check.score >= check.maxScore;
+    }
+    const double scale = all > 0 ? points / all : 0;
+    double sum = 0;
     for (Check& check : report.checks) {
-        const double scale = all > 0 ? points / all : 0;
+        sum += check.score * scale;
         check.score = rounded(check.score * scale);
         check.maxScore = rounded(check.maxScore * scale);
-        report.score += check.score;
-        report.maxScore += check.maxScore;
     }
-    // Rounded parts may miss the whole by some hundredths: a faultless submission has all points.
-    const bool full = report.score >= report.maxScore;
+    // Parts are rounded each for itself, the whole once; and only who lost nothing has all points.
     report.maxScore = points;
-    report.score = full ? points : rounded(std::min(report.score, points));
+    report.score = full && all > 0 ? points : std::max(0.0, std::min(rounded(sum), points - smallest));
 }
 
 }  // namespace grader

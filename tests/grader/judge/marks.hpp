@@ -10,7 +10,8 @@ namespace grader {
 /// the scores of one part's checks accordingly and says so in their messages.
 void countOldOnlyWithNew(std::vector<Check>& checks, Language language);
 
-/// Scales the checks so that those of a faultless submission add up to `points`, and sets the report's score and maxScore to their sums.
+/// Scales the checks so that those of a faultless submission add up to `points`, and sets the report's score and maxScore. All in hundredths
+/// of a point; only who lost nothing has all of them.
 void addUp(Report& report, double points);
 
 }  // namespace grader

@@ -176,7 +176,7 @@ Rubric fromJson(const Node& root) {
         root.at("schema").refuse(std::string("\"") + schema + "\"");
     Rubric rubric;
     rubric.lesson = root.at("lesson").text();
-    rubric.points = root.at("points").number(0.001, 1e6);
+    rubric.points = root.at("points").number(1, 1e6);
     rubric.seed = root.at("seed").seed();
     rubric.required = root.at("requires").texts();
     readViews(root.at("views"), rubric);

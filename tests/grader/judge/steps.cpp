@@ -126,7 +126,8 @@ std::optional<Aspects> Steps::aspects(const std::vector<std::vector<float>>& fou
 // The names that no check means: those of "*".
 std::vector<std::string> Steps::restOf(const Aspects& all) const {
     std::vector<std::string> names;
-    for (const auto& [name, aspect] : all) {
+    for (const auto& aspect : all) {
+        const std::string& name = aspect.first;
         const bool taken =
             std::any_of(rubric_.steps.begin(), rubric_.steps.end(), [&](const StepCheck& step) {
                 return isMeant(step.aspects, name) || isMeant(step.keeps, name);
@@ -212,7 +213,7 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
     const auto first = std::find_if(verdict.checks.begin(), verdict.checks.end(), [](const Check& check) {
         return check.isNew && check.status != CheckStatus::pass;
     });
-    if (first != verdict.checks.end())
+    if (explains && first != verdict.checks.end())
         first->explanation = explanation(found);
     return verdict;
 }

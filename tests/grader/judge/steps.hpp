@@ -34,6 +34,8 @@ class Steps {
 
     const std::vector<View>& views() const { return views_; }
     const std::vector<ExpectedFrame>& expected() const { return expected_; }
+    /// Whether wrong frames are held against the catalogue, which names mistakes and changes no marks.
+    bool explains = true;
     /// Fits the catalogue to the expected frames now, which takes a while, instead of on first need: before processes are forked.
     void prepare() const;
 

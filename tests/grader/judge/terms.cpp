@@ -137,23 +137,25 @@ Check Terms::start(const TermCheck& term) const {
 }
 
 Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fit,
-                          const std::set<std::string>& shaders) const {
+                          const std::set<std::string>& untouched) const {
     Blame blame;
-    std::string unwritten;
-    ids.erase(std::remove_if(ids.begin(), ids.end(),
-                             [&](const std::string& id) {
-                                 if (!id.starts_with(neutral))
-                                     return false;
-                                 if (unwritten.empty() || unwritten.size() > id.size())
-                                     unwritten = id.substr(std::string(neutral).size());
-                                 return true;
-                             }),
-              ids.end());
-    const auto handedIn = [&](const std::string& term) {
-        return shaders.count("terms/" + term + ".glsl") != 0;
+    std::vector<std::string>
+        terms;  // of the lists of neutral terms that give this picture: what was not touched, or the shortest
+    const auto isUntouched = [&](const std::string& term) { return untouched.count(term) != 0; };
+    const auto areUntouched = [&](const std::vector<std::string>& list) {
+        return std::all_of(list.begin(), list.end(), isUntouched);
     };
-    const std::vector<std::string> terms = unwritten.empty() ? std::vector<std::string>() : split(unwritten);
-    if (!terms.empty() && (ids.empty() || std::all_of(terms.begin(), terms.end(), handedIn))) {
+    for (const std::string& id : ids) {
+        if (!id.starts_with(neutral))
+            continue;
+        const std::vector<std::string> list = split(id.substr(std::string(neutral).size()));
+        if (terms.empty() || (areUntouched(list) ? list.size() > terms.size() : list.size() < terms.size()))
+            terms = list;
+    }
+    ids.erase(
+        std::remove_if(ids.begin(), ids.end(), [](const std::string& id) { return id.starts_with(neutral); }),
+        ids.end());
+    if (!terms.empty() && (ids.empty() || areUntouched(terms))) {
         blame.checks = terms;
         blame.message = say("il termine non fa nulla: è ancora il suo elemento neutro",
                             "the term does nothing: it is still its neutral element");
@@ -179,7 +181,7 @@ Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fi
 }
 
 std::vector<Terms::Blame> Terms::blames(const std::vector<std::vector<float>>& found,
-                                        const std::set<std::string>& shaders) const {
+                                        const std::set<std::string>& untouched) const {
     prepare();
     Explainer::Fit fit;
     for (const Group& group : groups_) {
@@ -196,7 +198,7 @@ std::vector<Terms::Blame> Terms::blames(const std::vector<std::vector<float>>& f
     }
     std::vector<Blame> all;
     for (const std::vector<std::string>& ids : fit.ids) {
-        all.push_back(blame(ids, fit, shaders));
+        all.push_back(blame(ids, fit, untouched));
         for (const std::string& check : all.back().checks)
             if (std::none_of(rubric_.terms.begin(), rubric_.terms.end(),
                              [&](const TermCheck& term) { return term.id == check; }))
@@ -293,7 +295,7 @@ void Terms::judgeByBlame(std::vector<Check>& checks, const std::vector<Blame>& w
 }
 
 PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
-                         const std::vector<std::string>& problems, const std::set<std::string>& shaders,
+                         const std::vector<std::string>& problems, const std::set<std::string>& untouched,
                          const DrawStates& drawStates) const {
     const Evidence evidence(expected_, found);
     PartVerdict verdict;
@@ -307,7 +309,7 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
         return verdict;
     if (std::any_of(found.begin(), found.end(), [](const auto& frame) { return frame.empty(); }))
         judgeMissing(verdict.checks, found, problems);
-    else if (const std::vector<Blame> why = blames(found, shaders); !why.empty())
+    else if (const std::vector<Blame> why = blames(found, untouched); !why.empty())
         judgeByBlame(verdict.checks, why);
     else
         judgeByStates(verdict.checks, drawStates);

@@ -25,9 +25,9 @@ class Terms {
     /// Draws a scene in several states, each a list for --terms; a frame that did not come back is empty.
     using DrawStates = std::function<std::vector<std::vector<float>>(std::size_t scene,
                                                                      const std::vector<std::string>& states)>;
-    /// `found`: a frame for each scene, as Steps::judge. `shaders`: the names of what was handed in: "terms/cosine.glsl".
+    /// `found`: a frame for each scene, as Steps::judge. `untouched`: the terms whose files are still the starter's.
     PartVerdict judge(const std::vector<std::vector<float>>& found, const std::vector<std::string>& problems,
-                      const std::set<std::string>& shaders, const DrawStates& drawStates) const;
+                      const std::set<std::string>& untouched, const DrawStates& drawStates) const;
 
   private:
     struct Blame {  // what costs checks their marks
@@ -37,9 +37,9 @@ class Terms {
         std::optional<Explanation> explanation;
     };
     std::vector<Blame> blames(const std::vector<std::vector<float>>& found,
-                              const std::set<std::string>& shaders) const;
+                              const std::set<std::string>& untouched) const;
     Blame blame(std::vector<std::string> ids, const Explainer::Fit& fit,
-                const std::set<std::string>& shaders) const;
+                const std::set<std::string>& untouched) const;
     void judgeByStates(std::vector<Check>& checks, const DrawStates& drawStates) const;
     std::map<std::string, double> sharesOfStates(const DrawStates& drawStates) const;
     void judgeMissing(std::vector<Check>& checks, const std::vector<std::vector<float>>& found,

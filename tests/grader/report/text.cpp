@@ -46,11 +46,13 @@ bool endsLine(char32_t code) {
 
 bool isHarmful(char32_t code) {
     const bool control = code < 0x20 || (code >= 0x7F && code < 0xA0);
-    const bool turnsAround = code == 0x061C || code == 0x200E || code == 0x200F ||
-                             (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-    const bool noCharacter =
-        (code & 0xFFFEU) == 0xFFFE || (code >= 0xFDD0 && code <= 0xFDEF) || code == 0xFEFF;
-    return control || turnsAround || noCharacter;
+    // Marks of direction, and what takes no room on the screen: names that look alike must be alike.
+    const bool unseen = code == 0x061C || (code >= 0x200B && code <= 0x200F) ||
+                        (code >= 0x202A && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) ||
+                        code == 0xFEFF || (code >= 0xE0000 && code <= 0xE007F);
+    const bool noCharacter = (code & 0xFFFEU) == 0xFFFE || (code >= 0xFDD0 && code <= 0xFDEF) ||
+                             (code >= 0xFFF9 && code <= 0xFFFB);
+    return control || unseen || noCharacter;
 }
 
 // How many bytes the escape sequence at the beginning of `text` takes, as in ESC [ 31 m.

@@ -96,11 +96,12 @@ class Sorter {
 
     // A starter brings its terms along, as neutral elements: where none was written, they are not what is handed in.
     void leaveNeutralShaders() {
-        if (!submission_.lesson || submission_.shaders.empty() || expected_.keepNeutral)
-            return;
         for (const auto& [name, text] : submission_.shaders)
-            if (!isNeutral(name, text))
-                return;
+            if (isNeutral(name, text))
+                submission_.untouched.insert(fs::path(name).stem());
+        if (!submission_.lesson || submission_.shaders.empty() || expected_.keepNeutral ||
+            submission_.untouched.size() < submission_.shaders.size())
+            return;
         for (SubmittedFile& file : submission_.files)
             if (file.role == "term") {
                 file.role = "leftOut";
@@ -187,7 +188,7 @@ std::string withoutComments(const std::string& source) {
             newLine = newLine || c == '\n';
             ++i;
         } else {
-            if (newLine && (directive || c == '#'))
+            if (newLine && (directive || c == '#') && !result.empty())
                 result += '\n';  // a directive ends with its line
             else if (blank && !result.empty() && isWord(result.back()) && isWord(c))
                 result += ' ';

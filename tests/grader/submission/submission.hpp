@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Submission {
     std::optional<NamedText> lesson;  ///< the .cpp
     std::vector<NamedText> headers;  ///< beside it
     std::map<std::string, std::string> shaders;  ///< by the lab's names
+    std::set<std::string> untouched;  ///< terms whose file is still the starter's: "cosine"
     std::string problem;  ///< why nothing in it can be judged; empty if something can
 
     bool has(const std::string& part) const {  ///< as rubrics say it: "lesson", "terms/cosine.glsl"

@@ -52,8 +52,8 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     try {
         ::setsid();
         ::signal(SIGPIPE, SIG_DFL);
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         inside::putUpWalls(task, supervisor);
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // becoming another user has taken it back
         std::string program = task.command.at(0);
         if (program.find('/') == std::string::npos) {
             program = "/usr/bin/" + program;
@@ -100,14 +100,21 @@ Ending endingOf(const Task& task, int status, const rusage& used) {
     return ending;
 }
 
-// Waits for SIGCHLD, which is blocked, at most 50 ms at a time: then what is used is measured.
+// Blocked, so that one can wait for them: a process has ended, or the grader is gone or wants it to end.
+sigset_t awaited() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGCHLD);
+    sigaddset(&signals, SIGTERM);
+    return signals;
+}
+
+// Waits for the end, and measures now and then what is used.
 Ending watch(const Task& task, pid_t command) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(task.wallSeconds));
-    sigset_t child;
-    sigemptyset(&child);
-    sigaddset(&child, SIGCHLD);
+    const sigset_t news = awaited();
     auto nextLook = Clock::now() + std::chrono::milliseconds(20);
     for (;;) {
         int status = 0;
@@ -130,15 +137,15 @@ Ending watch(const Task& task, pid_t command) {
             return {End::killed, writes ? SIGXFSZ : SIGKILL, limit, ""};
         }
         const timespec pause{0, 20'000'000};
-        ::sigtimedwait(&child, nullptr, &pause);
+        if (::sigtimedwait(&news, nullptr, &pause) == SIGTERM) {
+            return {End::killed, SIGTERM, Limit::none, ""};
+        }
     }
 }
 
 Ending runCommand(const Task& task) {
-    sigset_t child;
-    sigemptyset(&child);
-    sigaddset(&child, SIGCHLD);
-    ::sigprocmask(SIG_BLOCK, &child, nullptr);
+    const sigset_t news = awaited();
+    ::sigprocmask(SIG_BLOCK, &news, nullptr);
     int errors[2] = {-1, -1};
     if (::pipe2(errors, O_CLOEXEC) != 0) {
         throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
@@ -161,7 +168,7 @@ Ending runCommand(const Task& task) {
 void prepare(const Task& task) {
     ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);  // nobody inside looks into our memory or our open files
     if (!task.namespaces) {
-        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        ::prctl(PR_SET_PDEATHSIG, SIGTERM);
         if (::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0) {
             throw std::runtime_error("cannot become the reaper of what it starts");
         }
@@ -189,8 +196,10 @@ int main(int argc, char** argv) {
     }
     const int job = std::atoi(argv[1]);
     const int result = std::atoi(argv[2]);
-    ::fcntl(result, F_SETFD, FD_CLOEXEC);
-    ::fcntl(job, F_SETFD, FD_CLOEXEC);
+    for (int file = 3; file < 1024;
+         ++file) {  // the command inherits what it reads and says, and nothing else
+        ::fcntl(file, F_SETFD, FD_CLOEXEC);
+    }
     ::signal(SIGPIPE, SIG_IGN);
     Task task;
     int out = -1;

@@ -50,62 +50,58 @@ class Filter {
 
 scmp_arg_cmp whenEqual(unsigned argument, std::uint64_t value) { return {argument, SCMP_CMP_EQ, value, 0}; }
 
-// Other namespaces, and whoever is outside.
+// Other processes, other namespaces, and the machine's own affairs.
+const char* const refused[] = {"ptrace",
+                               "process_vm_readv",
+                               "process_vm_writev",
+                               "process_madvise",
+                               "pidfd_getfd",
+                               "kcmp",
+                               "unshare",
+                               "setns",
+                               "mount",
+                               "umount2",
+                               "pivot_root",
+                               "chroot",
+                               "open_tree",
+                               "move_mount",
+                               "fsopen",
+                               "fsmount",
+                               "fsconfig",
+                               "fspick",
+                               "mount_setattr",
+                               "bpf",
+                               "perf_event_open",
+                               "userfaultfd",
+                               "keyctl",
+                               "add_key",
+                               "request_key",
+                               "init_module",
+                               "finit_module",
+                               "delete_module",
+                               "kexec_load",
+                               "name_to_handle_at",
+                               "open_by_handle_at",
+                               "quotactl",
+                               "acct",
+                               "swapon",
+                               "swapoff",
+                               "fanotify_init",
+                               "sched_setscheduler",
+                               "sched_setattr",
+                               "setpriority",
+                               "ioprio_set",
+                               "io_setup"};
+
 void refuseWaysOut(Filter& filter) {
-    for (const char* call : {"ptrace",
-                             "process_vm_readv",
-                             "process_vm_writev",
-                             "process_madvise",
-                             "pidfd_getfd",
-                             "kcmp",
-                             "unshare",
-                             "setns",
-                             "mount",
-                             "umount2",
-                             "pivot_root",
-                             "chroot",
-                             "open_tree",
-                             "move_mount",
-                             "fsopen",
-                             "fsmount",
-                             "fsconfig",
-                             "fspick",
-                             "mount_setattr",
-                             "bpf",
-                             "perf_event_open",
-                             "userfaultfd",
-                             "keyctl",
-                             "add_key",
-                             "request_key",
-                             "init_module",
-                             "finit_module",
-                             "delete_module",
-                             "kexec_load",
-                             "name_to_handle_at",
-                             "open_by_handle_at",
-                             "quotactl",
-                             "acct",
-                             "swapon",
-                             "swapoff",
-                             "personality",
-                             "fanotify_init",
-                             "sched_setscheduler",
-                             "sched_setattr",
-                             "setpriority",
-                             "ioprio_set",
-                             "io_setup",
-                             "prlimit64"}) {
-        if (std::strcmp(call, "personality") == 0) {
-            filter.refuse(call, EPERM, {0, SCMP_CMP_NE, 0xFFFFFFFF, 0});  // asking is allowed
-        } else if (std::strcmp(call, "prlimit64") == 0) {
-            filter.refuse(call, EPERM, {0, SCMP_CMP_NE, 0, 0});  // of another process
-        } else {
-            filter.refuse(call, EPERM);
-        }
+    for (const char* call : refused) {
+        filter.refuse(call, EPERM);
     }
     for (const char* call : {"io_uring_setup", "io_uring_enter", "io_uring_register"}) {
         filter.refuse(call, ENOSYS);
     }
+    filter.refuse("personality", EPERM, {0, SCMP_CMP_NE, 0xFFFFFFFF, 0});  // but one may ask for it
+    filter.refuse("prlimit64", EPERM, {0, SCMP_CMP_NE, 0, 0});  // of another process
     filter.refuse("clone3", ENOSYS);  // its flags cannot be looked at; the C library then takes clone
     filter.refuse("clone", EPERM, {0, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER});
     filter.refuse("socket", EACCES);

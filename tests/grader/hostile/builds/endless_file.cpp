@@ -1,0 +1,5 @@
+// Includes a file without an end.
+// SPDX-License-Identifier: MIT
+#include "/dev/zero"
+
+int main() {}

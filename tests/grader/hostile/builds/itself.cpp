@@ -1,0 +1,5 @@
+// Includes itself.
+// SPDX-License-Identifier: MIT
+#include "itself.cpp"
+
+int main() {}

