@@ -48,6 +48,9 @@ Rubric rubricFor(const nuovo::Lesson& lesson, const fs::path& share, const fs::p
     }
 }
 
+// Apart from all scenes that a rubric's seed gives: students see none of those.
+constexpr std::uint64_t publicScenes = std::uint64_t{1} << 63;
+
 bool italian(const GraderOptions& options) { return options.language == Language::it; }
 
 }  // namespace
@@ -56,6 +59,8 @@ Grader::Grader(const GraderOptions& options)
     : options_(options), home_(image::home()),
       texts_(home_ / "share/lambert-lab/slides_refs/misconceptions.json"), shaders_(labShaders()) {
     readLesson();
+    if (options.size > 0)
+        rubric_.size = options.size;
     for (const TermCheck& check : rubric_.terms)
         try {
             texts_.check(check.id);
@@ -66,12 +71,14 @@ Grader::Grader(const GraderOptions& options)
         options.walls ? std::make_unique<Confinement>(*options.walls) : std::make_unique<Confinement>();
     kit_ = std::make_unique<Kit>(findKit());
     hashTool();
-    const std::uint64_t seed = options.seed.value_or(rubric_.seed);
+    const std::uint64_t seed =
+        options.publicViews ? rubric_.seed ^ publicScenes : options.seed.value_or(rubric_.seed);
+    const Show show = options.publicViews ? Show::always : Show::wrong;
     std::vector<View> views = options.publicViews ? publicViews(rubric_, italian(options))
                                                   : hiddenViews(rubric_, seed, italian(options));
     const auto scenes = lessonScenes(views);
-    steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes);
-    terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front());
+    steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes, show);
+    terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front(), show);
     tryLesson();
 }
 

@@ -16,7 +16,10 @@ struct GraderOptions {
     std::string lesson;  ///< "lesson_05_attenuation", a part of it, or its number
     std::filesystem::path rubric;  ///< empty: the lesson's own
     std::optional<std::uint64_t> seed;  ///< of the hidden views and scenes; none: the rubric's
-    bool publicViews = false;  ///< the lesson's own camera, for students, instead of hidden ones
+    /// For students: the lesson's own camera instead of hidden ones, scenes of a seed of their own, and pictures also of what is right.
+    bool publicViews = false;
+    int size = 0;  ///< of the square frames, pixels; 0: the rubric's
+    bool onlyGiven = false;  ///< what the rubric requires and is not there is not missed
     Language language = Language::en;
     std::optional<Walls> walls;  ///< none: the strongest that work
 };

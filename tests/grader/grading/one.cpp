@@ -53,7 +53,8 @@ class Grader::One {
                 report().reason = submission_.problem;
                 return std::move(graded_);
             }
-            missingParts();
+            if (!grader_.options_.onlyGiven)
+                missingParts();
             if (submission_.lesson)
                 lessonPart();
             if (!submission_.shaders.empty())
@@ -113,11 +114,10 @@ class Grader::One {
             report().checks.push_back(std::move(check));
         }
     }
-    std::vector<Check> stepChecks() const {
+    PartVerdict withoutFrames() const {
         const std::vector<std::vector<float>> nothing(grader_.steps_->views().size());
-        return grader_.steps_
-            ->judge(nothing, std::vector<std::string>(nothing.size()), [](std::size_t) { return nullptr; })
-            .checks;
+        return grader_.steps_->judge(nothing, std::vector<std::string>(nothing.size()),
+                                     [](std::size_t) { return nullptr; });
     }
 
     void missingParts() {
@@ -126,7 +126,7 @@ class Grader::One {
                 continue;
             const std::string message = part + ": " + say("non è stato consegnato", "was not handed in");
             if (part == "lesson") {
-                skip(stepChecks(), CheckStatus::fail, message);
+                skip(withoutFrames().checks, CheckStatus::fail, message);
                 continue;
             }
             Check check = gate(part.c_str(), part.c_str(), part.c_str());
@@ -156,8 +156,10 @@ class Grader::One {
                                  "the compiler refuses it: see what it says");
         report().checks.push_back(builds);
         if (!built.ok) {
-            skip(stepChecks(), CheckStatus::skipped,
+            PartVerdict verdict = withoutFrames();
+            skip(std::move(verdict.checks), CheckStatus::skipped,
                  say("il programma non si compila", "the program does not build"));
+            add(std::move(verdict.pictures));
             return;
         }
         Drawing drawing = drawingOf(grader_.rubric_, built.program, grader_.shaders_);
@@ -268,11 +270,14 @@ class Grader::One {
         }
         if (!right)
             graded_.frames = sha256(graded_.frames + digest(drawn.frames));
-        for (Picture& picture : verdict.pictures) {
+        add(std::move(verdict.pictures));
+        report().judgeSeconds += watch.lap();
+    }
+    void add(std::vector<Picture> pictures) {
+        for (Picture& picture : pictures) {
             report().images.push_back(picture.image);
             graded_.pictures.push_back(std::move(picture));
         }
-        report().judgeSeconds += watch.lap();
     }
 
     const Grader& grader_;

@@ -57,9 +57,8 @@ Explanation explanationOf(const std::vector<std::string>& ids, const Texts& text
     }
 }
 
-void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, const std::string& prefix,
-          Language language, PartVerdict& verdict) {
-    verdict.pictures = evidence.pictures(prefix, language);
+void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, Language language,
+          PartVerdict& verdict) {
     for (Check& check : verdict.checks) {
         check.regions = evidence.regions();
         if (check.status == CheckStatus::pass)
@@ -76,8 +75,8 @@ void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, cons
 }
 
 Steps::Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
-             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes)
-    : rubric_(rubric), texts_(texts), language_(language), views_(std::move(views)) {
+             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes, Show show)
+    : rubric_(rubric), texts_(texts), language_(language), show_(show), views_(std::move(views)) {
     for (std::size_t i = 0; i < views_.size(); ++i)
         expected_.emplace_back(scenes[i], rubric.size, lighting::Switches(), views_[i].name);
 }
@@ -143,7 +142,8 @@ std::optional<WorstPixel> Steps::worstPixel(const Evidence& evidence,
 // The names that no check means: those of "*".
 std::vector<std::string> Steps::restOf(const Aspects& all) const {
     std::vector<std::string> names;
-    for (const auto& [name, aspect] : all) {
+    for (const auto& aspect : all) {
+        const std::string& name = aspect.first;
         const bool taken =
             std::any_of(rubric_.steps.begin(), rubric_.steps.end(), [&](const StepCheck& step) {
                 return isMeant(step.aspects, name) || isMeant(step.keeps, name);
@@ -222,9 +222,10 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
         }
         verdict.checks.push_back(std::move(check));
     }
+    verdict.pictures = evidence.pictures("lesson", language_, show_);
     if (right)
         return verdict;
-    show(evidence, worstPixel(evidence, byScene), "lesson", language_, verdict);
+    show(evidence, worstPixel(evidence, byScene), language_, verdict);
     const auto first = std::find_if(verdict.checks.begin(), verdict.checks.end(), [](const Check& check) {
         return check.isNew && check.status != CheckStatus::pass;
     });
