@@ -35,19 +35,6 @@ Shard shardOf(int index, int count, const std::string& where) {
     return {index, count};
 }
 
-// What a process that died, or threw, leaves behind instead of marks.
-void writeTrouble(const Grader& grader, const fs::path& submission, const fs::path& folder,
-                  const ResultKey& key, const std::string& why, const std::string& formats) {
-    Graded graded;
-    graded.report.lesson = grader.rubric().lesson;
-    graded.report.lessonTitle = grader.lessonTitle();
-    graded.report.language = grader.language();
-    graded.report.submission = submission.filename().string();
-    graded.report.rubricHash = grader.rubric().hash;
-    graded.report.reason = why;
-    writeResult(graded, key, grader, folder, formats);
-}
-
 // Grades a shard of a class, one process for each submission: whatever a submission does to its process, it does to it alone.
 class ClassRun {
   public:

@@ -108,19 +108,6 @@ std::string pageOf(const fs::path& report, const Result& result) {
 
 }  // namespace
 
-std::vector<fs::path> entriesOf(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> entries;
-    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
-        if (!i->path().filename().string().starts_with('.'))
-            entries.push_back(i->path());
-    if (error)
-        throw UsageError(folder.string() + ": " + error.message() +
-                         "; expected a folder with one entry per submission");
-    std::sort(entries.begin(), entries.end());
-    return entries;
-}
-
 int mergeClass(const fs::path& report, Language language, const fs::path& submissions) {
     Collection collection(report, language, submissions);
     std::vector<Result>& results = collection.results();
