@@ -13,7 +13,7 @@ lesson_packages=(
     libegl-mesa0 libgl1-mesa-dri libgl1 fonts-dejavu-core
 )
 test_packages=(libgtest-dev librapidcheck-dev libmpfr-dev libbenchmark-dev gnuplot-nox xvfb xdotool imagemagick)
-all_packages=(clang-14 clang-format-14 libclang-rt-14-dev)
+all_packages=(clang-14 clang-format-14 libclang-rt-14-dev slurm-wlm munge iproute2)
 
 say() { echo "== $*"; }
 
