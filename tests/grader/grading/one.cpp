@@ -168,19 +168,21 @@ class Grader::One {
         Drawing drawing = drawingOf(grader_.rubric_, built.program, grader_.shaders_);
         for (const View& view : grader_.steps_->views())
             drawing.lines.push_back(lineOf(view));
-        const Frames drawn = drawAll(drawing, "runs", watch);
+        const Frames drawn = drawAll(drawing, "runs");
         judge(
             [&] {
                 return grader_.steps_->judge(drawn.frames, drawn.problems,
                                              [&](std::size_t view) { return sceneOf(drawing, view); });
             },
-            drawn, watch);
+            drawn);
     }
 
-    std::shared_ptr<const THREE::LoadedScene> sceneOf(Drawing drawing, std::size_t view) const {
+    std::shared_ptr<const THREE::LoadedScene> sceneOf(Drawing drawing, std::size_t view) {
+        Stopwatch watch;
         drawing.lines.clear();
         const Dump dump =
             dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view], slot_);
+        report().framesSeconds += watch.lap();
         if (!dump.problem.empty())
             return nullptr;
         try {
@@ -191,7 +193,6 @@ class Grader::One {
     }
 
     void termsPart() {
-        Stopwatch watch;
         std::map<std::string, std::string> shaders = grader_.shaders_;
         std::set<std::string> names;
         for (const auto& [name, text] : submission_.shaders) {
@@ -201,8 +202,7 @@ class Grader::One {
         const auto& scenes = grader_.terms_->scenes();
         Frames all;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
-            const Frames drawn =
-                drawAll(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr, watch);
+            const Frames drawn = drawAll(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr);
             all.frames.push_back(drawn.frames.front());
             all.problems.push_back(drawn.problems.front());
         }
@@ -211,10 +211,10 @@ class Grader::One {
                 return grader_.terms_->judge(
                     all.frames, all.problems, names,
                     [&](std::size_t scene, const std::vector<std::string>& states) {
-                        return drawAll(sceneDrawing(shaders, scene, states), nullptr, watch).frames;
+                        return drawAll(sceneDrawing(shaders, scene, states), nullptr).frames;
                     });
             },
-            all, watch);
+            all);
     }
 
     Drawing sceneDrawing(const std::map<std::string, std::string>& shaders, std::size_t scene,
@@ -230,7 +230,8 @@ class Grader::One {
     }
 
     // Draws; where `check` names one, says in it whether frames came back, and why not.
-    Frames drawAll(const Drawing& drawing, const char* check, Stopwatch& watch) {
+    Frames drawAll(const Drawing& drawing, const char* check) {
+        Stopwatch watch;
         Frames drawn = draw(*grader_.confinement_, *grader_.kit_, drawing, slot_);
         report().framesSeconds += watch.lap();
         if (drawn.outcome.how == Ended::notStarted)
@@ -266,7 +267,9 @@ class Grader::One {
     }
 
     template <class Judge>
-    void judge(const Judge& part, const Frames& drawn, Stopwatch& watch) {
+    void judge(const Judge& part, const Frames& drawn) {
+        Stopwatch watch;
+        const double drawingBefore = report().framesSeconds;  // to judge, more may have to be drawn
         PartVerdict verdict = part();
         countOldOnlyWithNew(verdict.checks, grader_.options_.language);
         bool right = true;
@@ -280,7 +283,7 @@ class Grader::One {
             report().images.push_back(picture.image);
             graded_.pictures.push_back(std::move(picture));
         }
-        report().judgeSeconds += watch.lap();
+        report().judgeSeconds += watch.lap() - (report().framesSeconds - drawingBefore);
     }
 
     const Grader& grader_;
