@@ -1,6 +1,6 @@
 # Each submission's time, stacked; the quickest first.
 # SPDX-License-Identifier: MIT
-set title 'Grading lesson_05 - attenuation: 200 submissions, two at a time' noenhanced
+set title 'Grading lesson_05 - attenuation: @count@ submissions, two at a time' noenhanced
 set xlabel 'submissions, the quickest first'
 set ylabel 's'
 set yrange [0:]

@@ -66,6 +66,7 @@ class ClassRun {
                 if (!why.empty())  // else its report is written and says what was wrong
                     noteTrouble(mine_[i], why);
             });
+        sweep(results_);  // of those that died
         return failed;
     }
     std::size_t count() const { return mine_.size(); }
@@ -166,7 +167,7 @@ int gradeClass(const Grader& grader, const ClassOptions& options) {
     ClassRun run(grader, options);
     const int failed = run.run();
     if (options.shard.count == 1)
-        return mergeClass(options.report, grader.language(), options.submissions);
+        return std::max(failed, mergeClass(options.report, grader.language(), options.submissions));
     std::cout << "shard " << options.shard.index << "/" << options.shard.count << ": " << run.count()
               << " graded, " << failed
               << " of them without marks; when all shards are done: grade --merge --class "

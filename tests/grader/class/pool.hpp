@@ -14,6 +14,6 @@ namespace grader {
 /// by the same signal. Must be called while the process has one thread.
 void runPool(std::size_t count, int jobs, const std::function<bool(std::size_t i, int slot)>& work,
              const std::function<void(std::size_t i, const std::string& why)>& failed,
-             double limitSeconds = 300);
+             double limitSeconds = 600);
 
 }  // namespace grader
