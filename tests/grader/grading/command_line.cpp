@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grader/grading/command_line.hpp"
 
+#include "grader/grading/scratch.hpp"
 #include "lab/options.hpp"
 
 namespace grader {
@@ -62,8 +63,8 @@ void replaceReport(const Graded& graded, const fs::path& folder, const std::stri
         if (!fs::is_regular_file(clean / "report.json"))
             throw UsageError(clean.string() + ": holds something that is no report; expected a new folder, "
                                               "an empty one, or an earlier report");
-        fs::remove_all(clean);
     }
+    sweep(clean.has_parent_path() ? clean.parent_path() : fs::path("."));
     writeReport(graded, clean, formats);
 }
 
