@@ -12,17 +12,12 @@ lesson_packages=(
     # Found at run time only: Mesa's drivers, the libGL.so.1 that Debian's ImGui loads, the panel's font.
     libegl-mesa0 libgl1-mesa-dri libgl1 fonts-dejavu-core
 )
-<<<<<<< HEAD
 test_packages=(
     libgtest-dev librapidcheck-dev libmpfr-dev libbenchmark-dev gnuplot-nox xvfb xdotool imagemagick
     # The grader: confinement, archives, hashes; its reports are read by xmllint.
     bubblewrap libseccomp-dev libarchive-dev libmd-dev libxml2-utils zip unzip
 )
-all_packages=(clang-14 clang-format-14 libclang-rt-14-dev chromium slurm-wlm munge)
-=======
-test_packages=(libgtest-dev librapidcheck-dev libmpfr-dev libbenchmark-dev gnuplot-nox xvfb xdotool imagemagick)
-all_packages=(clang-14 clang-format-14 libclang-rt-14-dev slurm-wlm munge iproute2)
->>>>>>> h-class
+all_packages=(clang-14 clang-format-14 libclang-rt-14-dev chromium slurm-wlm munge iproute2)
 
 say() { echo "== $*"; }
 

@@ -48,10 +48,9 @@ Rubric rubricFor(const nuovo::Lesson& lesson, const fs::path& share, const fs::p
     }
 }
 
-<<<<<<< HEAD
 // Apart from all scenes that a rubric's seed gives: students see none of those.
 constexpr std::uint64_t publicScenes = std::uint64_t{1} << 63;
-=======
+
 // What stands between semicolons and braces.
 std::vector<std::string> statementsOf(const std::string& text) {
     std::vector<std::string> statements;
@@ -64,7 +63,6 @@ std::vector<std::string> statementsOf(const std::string& text) {
     }
     return statements;
 }
->>>>>>> h-class
 
 bool italian(const GraderOptions& options) { return options.language == Language::it; }
 

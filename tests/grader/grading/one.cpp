@@ -279,17 +279,13 @@ class Grader::One {
         if (!right && ownText_ > 0)
             graded_.frames = sha256(graded_.frames + digest(drawn.frames));
         add(std::move(verdict.pictures));
-        report().judgeSeconds += watch.lap();
+        report().judgeSeconds += watch.lap() - (report().framesSeconds - drawingBefore);
     }
     void add(std::vector<Picture> pictures) {
         for (Picture& picture : pictures) {
             report().images.push_back(picture.image);
             graded_.pictures.push_back(std::move(picture));
         }
-<<<<<<< HEAD
-=======
-        report().judgeSeconds += watch.lap() - (report().framesSeconds - drawingBefore);
->>>>>>> h-class
     }
 
     const Grader& grader_;
