@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 
 namespace lab {
 
@@ -67,6 +68,47 @@ constexpr double lightShare = 0.08;  // of its distance from its parent's origin
 constexpr double meshShare = 0.05;  // of its size
 constexpr double meshTurn = 0.12;  // radians
 
+struct Moved {
+    THREE::Object3D* object;
+    glm::dmat4 world;  // before anything is moved
+    THREE::Vector3 place;  // in the world; of a directional light, from its target
+};
+
+// Lights and meshes, parents first.
+std::vector<Moved> movedOf(THREE::Scene& scene) {
+    std::vector<Moved> all;
+    scene.updateMatrixWorld();
+    scene.traverse([&](THREE::Object3D& object) {
+        if (dynamic_cast<THREE::Light*>(&object) == nullptr && dynamic_cast<THREE::Mesh*>(&object) == nullptr)
+            return;
+        THREE::Vector3 place = object.matrixWorld.position();
+        if (auto* sun = dynamic_cast<THREE::DirectionalLight*>(&object))
+            place.sub(sun->target.getWorldPosition());
+        all.push_back({&object, object.matrixWorld, place});
+    });
+    return all;
+}
+
+// Moves and turns an object in the world, whatever it hangs below and however its matrix was made.
+void move(const Moved& moved, const THREE::Vector3& by, const glm::dquat& turn) {
+    THREE::Object3D& object = *moved.object;
+    THREE::Object3D* const parent = object.parent();
+    if (parent != nullptr)
+        parent->updateWorldMatrix();
+    const glm::dmat4 above = parent == nullptr ? glm::dmat4(1) : parent->matrixWorld.elements;
+    if (above == glm::dmat4(1) && object.matrixAutoUpdate) {
+        object.position.add(by);
+        object.quaternion = THREE::Quaternion(turn * glm::dquat(object.quaternion));
+        return;
+    }
+    glm::dmat4 world = moved.world;
+    world[3] = glm::dvec4(0, 0, 0, 1);
+    world = glm::mat4_cast(turn) * world;
+    world[3] = moved.world[3] + glm::dvec4(glm::dvec3(by), 0);
+    object.matrix = THREE::Matrix4(above).invert().multiply(world);
+    object.matrixAutoUpdate = false;
+}
+
 }  // namespace
 
 void Jitter::apply(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const THREE::Vector3& target) {
@@ -77,23 +119,19 @@ void Jitter::apply(THREE::Scene& scene, THREE::PerspectiveCamera& camera, const 
     camera.lookAt(target);
     const Field lights(numbers), meshes(numbers), axes(numbers);
     const double turn = meshTurn * (0.75 + 0.25 * numbers.next());
-    scene.traverse([&](THREE::Object3D& object) {
-        const bool light = dynamic_cast<THREE::Light*>(&object) != nullptr;
-        const auto* mesh = dynamic_cast<THREE::Mesh*>(&object);
-        if ((!light && mesh == nullptr) || !object.matrixAutoUpdate)
-            return;
-        remember(object);
-        const THREE::Vector3 place = object.position;
-        if (light) {
-            object.position.add(lights.at(place, lightShare * place.length()));
-            return;
+    for (const Moved& moved : movedOf(scene)) {
+        remember(*moved.object);
+        const THREE::Vector3& place = moved.place;
+        const auto* mesh = dynamic_cast<THREE::Mesh*>(moved.object);
+        if (mesh == nullptr) {
+            move(moved, lights.at(place, lightShare * place.length()), glm::dquat(1, 0, 0, 0));
+            continue;
         }
         const double radius = mesh->geometry ? std::max(mesh->geometry->boundingSphere().radius, 0.0) : 0;
-        object.position.add(meshes.at(place, meshShare * std::min(radius, distance)));
         THREE::Quaternion turned;
         turned.setFromAxisAngle(axes.at(place, 1), turn);
-        object.quaternion = THREE::Quaternion(glm::dquat(turned) * glm::dquat(object.quaternion));
-    });
+        move(moved, meshes.at(place, meshShare * std::min(radius, distance)), turned);
+    }
 }
 
 void Jitter::undo() {
@@ -101,6 +139,8 @@ void Jitter::undo() {
         place.object->position = place.position;
         place.object->quaternion = place.quaternion;
         place.object->rotation.setSilently(place.rotation);
+        place.object->matrix = place.matrix;
+        place.object->matrixAutoUpdate = place.matrixAutoUpdate;
     }
     places_.clear();
 }

@@ -10,7 +10,7 @@
 namespace lab {
 
 /// Small changes of the camera's place, the lights' and the meshes', all from one seed: the same seed, the same changes
-/// on every machine, whatever the order in which the scene was built. For hidden variations in grading.
+/// on every machine, whatever the order in which the scene was built, and in which groups. For hidden variations in grading.
 class Jitter {
   public:
     explicit Jitter(std::uint64_t seed) : seed_(seed) {}
@@ -25,9 +25,12 @@ class Jitter {
         THREE::Vector3 position;
         THREE::Quaternion quaternion;
         THREE::Euler rotation;  // angles taken from the quaternion would differ in their last digits
+        THREE::Matrix4 matrix;
+        bool matrixAutoUpdate;
     };
     void remember(THREE::Object3D& object) {
-        places_.push_back({&object, object.position, object.quaternion, object.rotation});
+        places_.push_back({&object, object.position, object.quaternion, object.rotation, object.matrix,
+                           object.matrixAutoUpdate});
     }
 
     std::uint64_t seed_;

@@ -7,8 +7,8 @@
 #include "lab/view.hpp"
 #include "three/three.hpp"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -173,6 +173,62 @@ TEST(Jitter, IsTheSameWhateverTheOrderAndHoweverLongADirectionIs) {
     const auto expected = places(false, 1), found = places(true, 4);
     for (std::size_t i = 0; i < expected.size(); ++i)
         expectNear(found[i], expected[i], 1e-14);
+}
+
+// However a student puts a mesh or a light where it belongs, it is the same scene.
+TEST(Jitter, IsTheSameBelowGroupsOrWithAMatrixByHand) {
+    THREE::BoxGeometry box;
+    const auto worlds = [&box](int way) {
+        THREE::Scene scene;
+        THREE::Mesh mesh(box);
+        THREE::PointLight bulb;
+        THREE::DirectionalLight sun;
+        mesh.position.set(1, 2, 3);
+        mesh.rotation.set(0.5, 0.3, 0.2);
+        bulb.position.set(2, 1.5, 5);
+        sun.position.set(0, 3, -2);
+        THREE::Group group;
+        if (way == 1) {  // the group has the place, its children the rest
+            group.position.set(1, 1, 1);
+            group.rotation.y = 1;
+            group.scale.set(2, 2, 2);
+            group.updateMatrix();
+            for (THREE::Object3D* object :
+                 {static_cast<THREE::Object3D*>(&mesh), static_cast<THREE::Object3D*>(&bulb)}) {
+                object->updateMatrix();
+                object->applyMatrix4(THREE::Matrix4(group.matrix).invert());
+                group.add(*object);
+            }
+            sun.position.set(1, 4, 0);
+            sun.target.position.set(1, 1, 2);
+        } else if (way == 2) {
+            mesh.updateMatrix();
+            mesh.matrixAutoUpdate = false;
+            mesh.position.set(0, 0, 0);
+        }
+        if (way != 1)
+            scene.add(mesh, bulb);
+        scene.add(sun, group);
+        THREE::PerspectiveCamera camera;
+        camera.position.set(0, 1, 5);
+        lab::Jitter jitter(7);
+        jitter.apply(scene, camera, {});
+        scene.updateMatrixWorld();
+        std::vector<Vector3> points;
+        for (const Vector3& point : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)})
+            points.push_back(mesh.matrixWorld.applyTo(point));
+        points.push_back(bulb.getWorldPosition());
+        points.push_back(sun.getWorldPosition().sub(sun.target.getWorldPosition()));
+        jitter.undo();
+        EXPECT_EQ(mesh.matrixAutoUpdate, way != 2);
+        return points;
+    };
+    const auto plain = worlds(0);
+    for (const int way : {1, 2}) {
+        const auto found = worlds(way);
+        for (std::size_t i = 0; i < plain.size(); ++i)
+            expectNear(found[i], plain[i]);
+    }
 }
 
 // An animation writes one angle and keeps the others: these must not come back from the quaternion, rounded.

@@ -65,6 +65,8 @@ std::string inWords(const std::string& aspect, const Aspect& value, Language lan
         return subject + (it ? ": ce ne sono troppi, " : ": there are too many, ") + value.found;
     if (value.found == "none")
         return subject + (it ? ": nella scena non c'è" : ": is not in the scene");
+    if (value.found.empty())
+        return subject + ": " + say(qualities, quality, it) + (it ? " non va bene" : " is not right");
     return subject + ": " + (quality.empty() ? "" : std::string(say(qualities, quality, it)) + " ") +
            (it ? "qui è " : "is ") + value.found + (it ? "" : " here");
 }

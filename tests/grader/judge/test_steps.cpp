@@ -36,7 +36,8 @@ class Lesson {
     }
     const grader::Rubric& rubric() const { return rubric_; }
     /// The checks that lose points when the program's scene is the lesson's, changed like this.
-    std::set<std::string> lost(const Change& change) const {
+    std::set<std::string> lost(const Change& change) const { return idsOf(checks(change)); }
+    std::vector<Check> checks(const Change& change) const {
         std::vector<std::vector<float>> frames;
         std::vector<Scene> scenes;
         for (const std::string& text : dumps_) {
@@ -45,7 +46,7 @@ class Lesson {
             frames.push_back(grader::ExpectedFrame(scene, rubric_.size, lighting::Switches(), "").pixels());
             scenes.push_back(std::move(scene));
         }
-        return idsOf(judge(frames, [&](std::size_t view) { return scenes[view]; }));
+        return judge(frames, [&](std::size_t view) { return scenes[view]; });
     }
     std::vector<Check> judge(const std::vector<std::vector<float>>& frames,
                              const grader::Steps::SceneAt& sceneAt) const {
@@ -224,6 +225,54 @@ TEST_P(StepMarks, LackWhatIsWrongAndNothingElse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Changes, StepMarks, testing::ValuesIn(changes()));
+
+// Of one check, in a lesson's scene changed like this.
+Check checkOf(const Lesson& lesson, const std::string& id, const Change& change) {
+    const std::vector<Check> checks = lesson.checks(change);
+    const auto one = std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.id == id; });
+    if (one == checks.end())
+        throw std::out_of_range("the lesson has no such check");
+    return *one;
+}
+
+// What a lamp has by itself is nobody's work.
+TEST(Steps, ALampAsItComesEarnsItsPresenceOnly) {
+    const auto plain = [](THREE::Scene& scene) {
+        auto& bulb = nth<THREE::PointLight>(scene, 0);
+        bulb.position.set(0, 0, 0);
+        bulb.updateMatrix();
+        bulb.color.set(0xFFFFFF);
+    };
+    const Lesson lesson("lesson_03_point_light", 2026);
+    EXPECT_EQ(checkOf(lesson, "37.5", plain).score, 35);
+    EXPECT_EQ(checkOf(lesson, "37.6", plain).score, 0);
+}
+
+// A place in a hidden view is not the number that the student wrote.
+TEST(Steps, NamePlacesThatTheViewMovedWithoutNumbers) {
+    const Lesson lesson("lesson_03_point_light", 2026);
+    const Check check = checkOf(lesson, "37.6", [](THREE::Scene& scene) {
+        auto& bulb = nth<THREE::PointLight>(scene, 0);
+        bulb.position.y += 1;
+        bulb.updateMatrix();
+        bulb.color.set(0x66DD66);
+    });
+    EXPECT_NE(check.message.find("the position is not right"), std::string::npos) << check.message;
+    EXPECT_NE(check.message.find("the colour is (0.46"), std::string::npos) << check.message;
+}
+
+// Lamps that give no light are no lamps too many, and nobody's mistake.
+TEST(Steps, DoNotCountLampsThatAreDark) {
+    const Lesson lesson("lesson_03_point_light", 2026);
+    const auto change = [](THREE::Scene& scene) {
+        nth<THREE::PointLight>(scene, 0).color.set(0x66DD66);
+        auto& dark = scene.add(std::make_unique<THREE::PointLight>(0xFFFFFF, 0));
+        dark.position.copy(nth<THREE::PointLight>(scene, 0).position);
+        scene.add(std::make_unique<THREE::DirectionalLight>(0x000000));
+        scene.updateMatrixWorld();
+    };
+    EXPECT_EQ(lesson.lost(change), (std::set<std::string>{"37.6"}));
+}
 
 // A program that lies about its scene gains nothing by it.
 TEST(Steps, DoNotBelieveASceneThatDoesNotGiveTheFrames) {
