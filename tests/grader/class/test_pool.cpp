@@ -26,7 +26,7 @@ TEST(Pool, WhatHappensToOneWorkerHappensToItAlone) {
                 std::abort();
             if (i == 2)
                 throw std::runtime_error("no luck");
-            for (; i == 3;)
+            while (i == 3)
                 pause();
             if (i == 4)
                 _exit(9);
