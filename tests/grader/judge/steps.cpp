@@ -174,8 +174,9 @@ void Steps::judgeByScene(const StepCheck& step, const Aspects& aspects, Check& c
     for (const std::string& name : names)
         if (!aspects.at(name).right)
             wrong.push_back(inWords(name, aspects.at(name), language_));
-    grade(check,
-          names.empty() ? 1 : 1 - static_cast<double>(wrong.size()) / static_cast<double>(names.size()));
+    const double share =
+        names.empty() ? 1 : 1 - static_cast<double>(wrong.size()) / static_cast<double>(names.size());
+    grade(check, rest && share < 1 ? 0 : share);  // of all the rest most is right whatever one does
     wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
     constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i)
