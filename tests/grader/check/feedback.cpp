@@ -124,7 +124,9 @@ std::vector<std::string> worstOf(const WorstPixel& worst, Language language) {
     for (const TermNumber& number : worst.numbers)
         numbers += (numbers.empty() ? "" : ",  ") + number.symbol + " = " + number.value;
     if (!numbers.empty())
-        lines.push_back(say(language, "there it should be ", "lì dovrebbe essere ") + numbers);
+        lines.push_back((worst.ownScene ? say(language, "there your scene has ", "lì la tua scena ha ")
+                                        : say(language, "there it should be ", "lì dovrebbe essere ")) +
+                        numbers);
     return lines;
 }
 

@@ -140,6 +140,7 @@ std::optional<WorstPixel> Steps::worstPixel(const Evidence& evidence,
     if (!worst)
         return worst;
     worst->numbers.clear();
+    worst->ownScene = true;
     if (known && known->scenes[evidence.worstFrame()] != nullptr)
         worst->numbers =
             ExpectedFrame(known->scenes[evidence.worstFrame()], rubric_.size, lighting::Switches(), "")
