@@ -17,7 +17,7 @@ test_packages=(
     # The grader: confinement, archives, hashes; its reports are read by xmllint.
     bubblewrap libseccomp-dev libarchive-dev libmd-dev libxml2-utils zip unzip
 )
-all_packages=(clang-14 clang-format-14 libclang-rt-14-dev chromium slurm-wlm munge)
+all_packages=(clang-14 clang-format-14 libclang-rt-14-dev chromium slurm-wlm munge iproute2)
 
 say() { echo "== $*"; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grader/class/class.hpp"
 #include "grader/grading/command_line.hpp"
+#include "grader/report/formats/formats.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -47,6 +48,14 @@ int gradeClass(const Request& request) {
     return grader::gradeClass(grader, options) == 0 ? Graded : Infrastructure;
 }
 
+void checkFormats(const std::string& list) {
+    try {
+        grader::parseFormats(list);
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
 int run(int argc, char** argv) {
     CLI::App app("grade: marks for submissions of a lesson, from the frames that they draw");
     Request request;
@@ -67,7 +76,8 @@ int run(int argc, char** argv) {
     app.add_flag("--resume", request.resume, "Keep results whose submission, tool and rubric are unchanged");
     app.add_option("--shard", request.shard,
                    "I/N: only this part of the class; by default a job array's own");
-    app.add_flag("--merge", request.merge, "Make mark sheet and overview of the results that are there");
+    app.add_flag("--merge", request.merge,
+                 "Make mark sheet and overview of the results that are there; with --class, of that class");
     app.add_option("--walls", request.walls,
                    "Confine as asked: bubblewrap, landlock or limits; by default the strongest that work")
         ->check(CLI::IsMember({"bubblewrap", "landlock", "limits"}));
@@ -81,9 +91,12 @@ int run(int argc, char** argv) {
     request.grading.language = grader::languageOf(request.lang);
     request.grading.walls = grader::wallsOf(request.walls);
     if (request.merge)
-        return grader::mergeClass(request.report, request.grading.language) == 0 ? Graded : Infrastructure;
+        return grader::mergeClass(request.report, request.grading.language, request.classFolder) == 0
+                   ? Graded
+                   : Infrastructure;
     if (request.grading.lesson.empty() || request.submission.empty() == request.classFolder.empty())
         throw UsageError("expected LESSON and either --submission PATH or --class DIR; see --help");
+    checkFormats(request.formats);
     return request.classFolder.empty() ? gradeOne(request) : gradeClass(request);
 }
 

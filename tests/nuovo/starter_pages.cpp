@@ -46,7 +46,13 @@ Apre una finestra; con `--frame mio.png` scrive un'immagine, anche senza schermo
 @overlay@
 ## È giusto?
 
-Il programma finito è `LAB/bin/@lesson@` (senza installare: `LAB/build/bin/@lesson@`). Alle stesse opzioni risponde con la
+    LAB/bin/check @lesson@ .
+
+apre una finestra con la tua immagine, quella attesa e la differenza, dice che cosa non va, e guarda di nuovo a ogni
+salvataggio; non serve compilare prima (senza installare: `LAB/build/bin/check`). Senza schermo scrive le tre immagini in
+`check.png`. Un file solo: `LAB/bin/check @lesson@ @lesson@.cpp`.
+
+Si può confrontare anche a mano. Il programma finito è `LAB/bin/@lesson@` (senza installare: `LAB/build/bin/@lesson@`). Alle stesse opzioni risponde con la
 stessa immagine: `cmp` tace se i due file sono uguali.
 
     LAB/bin/@lesson@ --frame giusto.png
@@ -85,7 +91,13 @@ It opens a window; with `--frame mine.png` it writes a picture, without a displa
 @overlay@
 ## Is it right?
 
-The finished program is `LAB/bin/@lesson@` (without installing: `LAB/build/bin/@lesson@`). To the same options it answers
+    LAB/bin/check @lesson@ .
+
+opens a window with your picture, the expected one and the difference, says what is not right, and looks again whenever you
+save; nothing needs to be built before (without installing: `LAB/build/bin/check`). Without a display it writes the three
+pictures to `check.png`. A single file: `LAB/bin/check @lesson@ @lesson@.cpp`.
+
+By hand it can be compared, too. The finished program is `LAB/bin/@lesson@` (without installing: `LAB/build/bin/@lesson@`). To the same options it answers
 with the same picture: `cmp` is silent where the two files are equal.
 
     LAB/bin/@lesson@ --frame right.png

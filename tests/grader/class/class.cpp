@@ -1,12 +1,11 @@
-// A pool of processes over the submissions of a folder.
+// Which submissions are whose, and what becomes of those that go wrong.
 // SPDX-License-Identifier: MIT
 #include "grader/class/class.hpp"
 
+#include "grader/class/entries.hpp"
 #include "grader/class/pool.hpp"
 #include "grader/class/result.hpp"
-#include "grader/class/similarity.hpp"
-#include "grader/report/formats/formats.hpp"
-#include "image/write.hpp"
+#include "grader/grading/scratch.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,21 +16,6 @@ namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* temporary = ".";  // what begins so is none of the results
-
-std::vector<fs::path> entriesOf(const fs::path& folder) {
-    std::error_code error;
-    std::vector<fs::path> entries;
-    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
-        if (!i->path().filename().string().starts_with(temporary))
-            entries.push_back(i->path());
-    if (error)
-        throw UsageError(folder.string() + ": " + error.message() +
-                         "; expected a folder with one entry per submission");
-    std::sort(entries.begin(), entries.end());
-    return entries;
-}
 
 int number(const std::string& text) {
     const bool digits =
@@ -51,30 +35,108 @@ Shard shardOf(int index, int count, const std::string& where) {
     return {index, count};
 }
 
-// What a process that died, or threw, leaves behind instead of marks.
-void writeTrouble(const Grader& grader, const fs::path& submission, const fs::path& folder,
-                  const ResultKey& key, const std::string& why, const std::string& formats) {
-    Graded graded;
-    graded.report.lesson = grader.rubric().lesson;
-    graded.report.lessonTitle = grader.lessonTitle();
-    graded.report.language = grader.language();
-    graded.report.submission = submission.filename().string();
-    graded.report.rubricHash = grader.rubric().hash;
-    graded.report.reason = why;
-    writeResult(graded, key, grader, folder, formats);
-}
+// Grades a shard of a class, one process for each submission: whatever a submission does to its process, it does to it alone.
+class ClassRun {
+  public:
+    ClassRun(const Grader& grader, const ClassOptions& options)
+        : grader_(grader), options_(options), results_(resultsFolder(options.report)) {
+        const std::vector<fs::path> all = entriesOf(options.submissions);
+        if (all.empty())
+            throw UsageError(options.submissions.string() + ": is empty; expected one entry per submission");
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (static_cast<int>(i % static_cast<std::size_t>(options.shard.count)) ==
+                options.shard.index - 1)
+                mine_.push_back(all[i]);
+    }
 
-bool isDone(const fs::path& folder, const ResultKey& key) {
-    const std::optional<Result> result = readResult(folder);
-    return result && result->key == key && result->report.status != ReportStatus::infrastructure;
-}
+    /// How many could not be graded.
+    int run() {
+        fs::create_directories(results_);
+        sweep(results_);
+        if (options_.resume)
+            leaveOutDoneOnes();
+        if (mine_.empty())
+            return 0;
+        grader_.prepare();
+        int failed = 0;
+        runPool(
+            mine_.size(), options_.jobs, [this](std::size_t i, int slot) { return grade(mine_[i], slot); },
+            [&](std::size_t i, const std::string& why) {
+                ++failed;
+                if (!why.empty())  // else its report is written and says what was wrong
+                    noteTrouble(mine_[i], why);
+            });
+        sweep(results_);  // of those that died
+        return failed;
+    }
+    std::size_t count() const { return mine_.size(); }
 
-std::vector<Result> resultsOf(const fs::path& report) {
-    std::vector<Result> results;
-    for (const fs::path& folder : entriesOf(resultsFolder(report)))
-        if (std::optional<Result> result = readResult(folder))
-            results.push_back(std::move(*result));
-    return results;
+  private:
+    fs::path resultOf(const fs::path& submission) const { return results_ / submission.filename(); }
+
+    // Other people's archives are opened only in processes of their own.
+    void leaveOutDoneOnes() {
+        std::vector<fs::path> before, left;
+        for (const fs::path& submission : mine_)
+            (fs::exists(resultOf(submission)) ? before : left).push_back(submission);
+        runPool(
+            before.size(), options_.jobs, [&](std::size_t i, int) { return isDone(before[i]); },
+            [&](std::size_t i, const std::string&) { left.push_back(before[i]); });
+        std::sort(left.begin(), left.end());
+        mine_ = std::move(left);
+    }
+    bool isDone(const fs::path& submission) const {
+        const fs::path folder = resultOf(submission);
+        const std::optional<Result> result = readResult(folder);
+        return result && result->report.status != ReportStatus::infrastructure &&
+               hasAllFiles(*result, folder, options_.formats) &&
+               result->key ==
+                   ResultKey{grader_.hashOf(submission), grader_.toolHash(), grader_.rubric().hash};
+    }
+
+    bool grade(const fs::path& submission, int slot) const {
+        const Graded graded = grader_.grade(submission, slot);
+        write(graded, submission);
+        return graded.report.status != ReportStatus::infrastructure;
+    }
+    void write(const Graded& graded, const fs::path& submission) const {
+        writeResult(graded, {graded.report.submissionHash, grader_.toolHash(), grader_.rubric().hash},
+                    grader_, resultOf(submission), options_.formats);
+    }
+
+    // What a process that died, or threw, leaves behind instead of marks.
+    void noteTrouble(const fs::path& submission, const std::string& why) const {
+        const std::string name = submission.filename().string();
+        std::cerr << "grade: " << oneLine(name) << ": " << oneLine(why) << std::endl;
+        Graded graded;
+        graded.report.toolVersion = LAMBERT_VERSION;
+        graded.report.lesson = grader_.rubric().lesson;
+        graded.report.lessonTitle = grader_.lessonTitle();
+        graded.report.language = grader_.language();
+        graded.report.submission = name;
+        graded.report.rubricHash = grader_.rubric().hash;
+        graded.report.maxScore = grader_.rubric().points;
+        graded.report.reason = why;
+        try {
+            write(graded, submission);
+        } catch (const std::exception& error) {  // told already; merging will find no result
+            std::cerr << "grade: " << oneLine(name) << ": " << oneLine(error.what()) << std::endl;
+        }
+    }
+
+    const Grader& grader_;
+    const ClassOptions& options_;
+    fs::path results_;
+    std::vector<fs::path> mine_;
+};
+
+// Else the next run would take the report for a submission.
+void refuseReportInside(const ClassOptions& options) {
+    const fs::path report = fs::weakly_canonical(options.report),
+                   folder = fs::weakly_canonical(options.submissions);
+    if (std::search(report.begin(), report.end(), folder.begin(), folder.end()) == report.begin())
+        throw UsageError(options.report.string() + ": lies among the submissions in " +
+                         options.submissions.string() + "; expected a folder elsewhere");
 }
 
 }  // namespace
@@ -88,9 +150,9 @@ Shard parseShard(const std::string& text) {
 
 Shard shardOfEnvironment() {
     if (const std::string task = variable("SLURM_ARRAY_TASK_ID"); !task.empty()) {
-        const std::string first = variable("SLURM_ARRAY_TASK_MIN");
-        return shardOf(number(task) - (first.empty() ? 1 : number(first)) + 1,
-                       number(variable("SLURM_ARRAY_TASK_COUNT")),
+        const std::string first = variable("SLURM_ARRAY_TASK_MIN"), step = variable("SLURM_ARRAY_TASK_STEP");
+        const int from = number(task) - (first.empty() ? 1 : number(first));
+        return shardOf(from / std::max(1, number(step)) + 1, number(variable("SLURM_ARRAY_TASK_COUNT")),
                        "SLURM_ARRAY_TASK_ID " + task + " of SLURM_ARRAY_TASK_COUNT " +
                            variable("SLURM_ARRAY_TASK_COUNT"));
     }
@@ -101,65 +163,15 @@ Shard shardOfEnvironment() {
 }
 
 int gradeClass(const Grader& grader, const ClassOptions& options) {
-    parseFormats(options.formats);
-    const std::vector<fs::path> all = entriesOf(options.submissions);
-    if (all.empty())
-        throw UsageError(options.submissions.string() + ": is empty; expected one entry per submission");
-    const fs::path results = resultsFolder(options.report);
-    fs::create_directories(results);
-    const auto keyOf = [&](const fs::path& submission) {
-        return ResultKey{grader.hashOf(submission), grader.toolHash(), grader.rubric().hash};
-    };
-    std::vector<fs::path> mine;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (static_cast<int>(i % static_cast<std::size_t>(options.shard.count)) == options.shard.index - 1 &&
-            !(options.resume && isDone(results / all[i].filename(), keyOf(all[i]))))
-            mine.push_back(all[i]);
-    grader.prepare();
-    int failed = 0;
-    runPool(
-        mine.size(), options.jobs,
-        [&](std::size_t i, int slot) {
-            const Graded graded = grader.grade(mine[i], slot);
-            writeResult(graded, {graded.report.submissionHash, grader.toolHash(), grader.rubric().hash},
-                        grader, results / mine[i].filename(), options.formats);
-            return graded.report.status != ReportStatus::infrastructure;
-        },
-        [&](std::size_t i, const std::string& why) {
-            ++failed;
-            if (why.empty())
-                return;  // its report is written and says what was wrong
-            std::cerr << "grade: " << harmless(mine[i].filename().string()) << ": " << why << std::endl;
-            writeTrouble(grader, mine[i], results / mine[i].filename(), keyOf(mine[i]), why, options.formats);
-        });
-    if (options.shard.count > 1) {
-        std::cout << "shard " << options.shard.index << "/" << options.shard.count << ": " << mine.size()
-                  << " graded; when all shards are done: grade --merge --report " << options.report.string()
-                  << std::endl;
-        return failed;
-    }
-    return mergeClass(options.report, grader.language());
-}
-
-int mergeClass(const fs::path& report, Language language) {
-    std::vector<Result> results = resultsOf(report);
-    if (results.empty())
-        throw UsageError(resultsFolder(report).string() + ": holds no result; grade the class first");
-    findSimilar(results, language);
-    std::vector<Report> reports;
-    std::vector<ClassMember> members;
-    int failed = 0;
-    for (const Result& result : results) {
-        reports.push_back(result.report);
-        members.push_back(
-            {result.report, "results/" + result.report.submission + "/" + fileNameOf(Format::html)});
-        failed += result.report.status == ReportStatus::infrastructure ? 1 : 0;
-    }
-    image::writeText((report / "marks.csv").string(), marksCsv(reports));
-    image::writeText((report / "overview.html").string(), overview(members, language));
-    std::cout << results.size() << " results, " << failed
-              << " of them for the grader's own trouble without marks: " << (report / "marks.csv").string()
-              << ", " << (report / "overview.html").string() << std::endl;
+    refuseReportInside(options);
+    ClassRun run(grader, options);
+    const int failed = run.run();
+    if (options.shard.count == 1)
+        return std::max(failed, mergeClass(options.report, grader.language(), options.submissions));
+    std::cout << "shard " << options.shard.index << "/" << options.shard.count << ": " << run.count()
+              << " graded, " << failed
+              << " of them without marks; when all shards are done: grade --merge --class "
+              << options.submissions.string() << " --report " << options.report.string() << std::endl;
     return failed;
 }
 

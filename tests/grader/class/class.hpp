@@ -13,7 +13,7 @@ struct Shard {
 
 /// "2/8". Throws UsageError.
 Shard parseShard(const std::string& text);
-/// From a cluster's environment: SLURM_ARRAY_TASK_ID (with _MIN and _COUNT) or JOB_COMPLETION_INDEX (with JOB_COMPLETIONS); none: 1/1.
+/// From a cluster's environment: SLURM_ARRAY_TASK_ID (with _MIN, _STEP and _COUNT) or JOB_COMPLETION_INDEX (with JOB_COMPLETIONS); none: 1/1.
 Shard shardOfEnvironment();
 
 struct ClassOptions {
@@ -30,8 +30,11 @@ struct ClassOptions {
 /// the grader's own trouble. Throws UsageError.
 int gradeClass(const Grader& grader, const ClassOptions& options);
 
-/// Makes marks.csv and overview.html of all results in a report folder, and notes which render from the same source; the
-/// same results give the same bytes, whoever graded them. Returns as gradeClass. Throws UsageError if there is none.
-int mergeClass(const std::filesystem::path& report, Language language);
+/// Makes marks.csv and overview.html of the results in a report folder, and notes which render from the same source; the same results
+/// give the same marks.csv byte for byte, whoever graded them. `submissions` is the class: results of what is no longer there are told
+/// and left out, and what has no result counts as the grader's own trouble; empty: not known, all results count. Returns as
+/// gradeClass. Throws UsageError if there is no result.
+int mergeClass(const std::filesystem::path& report, Language language,
+               const std::filesystem::path& submissions = {});
 
 }  // namespace grader

@@ -8,11 +8,12 @@
 
 namespace grader {
 
-/// Runs work(i, slot) for i from 0 to count - 1 in forked processes, at most `jobs` at a time; `slot` is below `jobs`, and no two processes
-/// have the same at a time. Where work returns false, throws or dies, failed(i, why) is called here; `why` is empty for false. What runs
-/// longer than `limitSeconds` is ended. Shows progress with the time left. Must be called while the process has one thread.
+/// Runs work(i, slot) for i from 0 to count - 1 in forked processes, at most `jobs` at a time; no two processes of this machine have the same
+/// `slot` at a time. Where work returns false, throws or dies, failed(i, why) is called here; `why` is empty for false. What runs
+/// longer than `limitSeconds` is ended. Shows progress with the time left. At SIGINT, SIGTERM or SIGHUP all are ended, and this process
+/// by the same signal. Must be called while the process has one thread.
 void runPool(std::size_t count, int jobs, const std::function<bool(std::size_t i, int slot)>& work,
              const std::function<void(std::size_t i, const std::string& why)>& failed,
-             double limitSeconds = 300);
+             double limitSeconds = 600);
 
 }  // namespace grader

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "grader/class/result.hpp"
 
+#include "grader/grading/scratch.hpp"
+#include "grader/report/formats/formats.hpp"
 #include "image/write.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
-#include <unistd.h>
 
 namespace grader {
 
@@ -53,17 +55,11 @@ fs::path resultsFolder(const fs::path& report) { return report / "results"; }
 
 void writeResult(const Graded& graded, const ResultKey& key, const Grader& grader, const fs::path& folder,
                  const std::string& formats) {
-    const std::string mark = "." + std::to_string(getpid());  // a process writes one result at a time
-    const fs::path fresh = folder.parent_path() / (mark + ".new"),
-                   old = folder.parent_path() / (mark + ".old");
+    const fs::path fresh = folder.parent_path() / (scratchMark() + ".new");
     fs::remove_all(fresh);
-    fs::remove_all(old);
     writeReport(graded, fresh, formats);
     image::writeText((fresh / keyFile).string(), keyText(graded, key, grader));
-    std::error_code none;
-    fs::rename(folder, old, none);
-    fs::rename(fresh, folder);
-    fs::remove_all(old, none);
+    replaceFolder(fresh, folder);
 }
 
 std::optional<Result> readResult(const fs::path& folder) {
@@ -77,10 +73,20 @@ std::optional<Result> readResult(const fs::path& folder) {
         result.sources = json.at("sources");
         result.files = json.at("files");
         result.frames = json.at("frames");
+        result.folder = folder.filename().string();
         return result;
     } catch (const std::exception&) {  // cut short, or of another version: it is graded again
         return std::nullopt;
     }
+}
+
+bool hasAllFiles(const Result& result, const fs::path& folder, const std::string& formats) {
+    std::error_code none;
+    const auto isThere = [&](const fs::path& file) { return fs::is_regular_file(folder / file, none); };
+    const std::vector<Format> chosen = parseFormats(formats);
+    return std::all_of(result.report.images.begin(), result.report.images.end(),
+                       [&](const ReportImage& image) { return isThere(image.file); }) &&
+           std::all_of(chosen.begin(), chosen.end(), [&](Format one) { return isThere(fileNameOf(one)); });
 }
 
 }  // namespace grader

@@ -19,7 +19,8 @@ struct Result {
     Report report;
     ResultKey key;
     std::map<std::string, std::string> sources, files;  ///< as Graded's, without what all have in common
-    std::string frames;
+    std::string frames;  ///< as Graded's
+    std::string folder;  ///< the submission's own name, any bytes; its result is report/results/<folder>
 };
 
 /// Where the results of a class stand: report/results.
@@ -29,5 +30,7 @@ void writeResult(const Graded& graded, const ResultKey& key, const Grader& grade
                  const std::filesystem::path& folder, const std::string& formats);
 /// Reads one; none if it is missing or not whole.
 std::optional<Result> readResult(const std::filesystem::path& folder);
+/// Whether a result that was read has all its pictures, and its report in these formats.
+bool hasAllFiles(const Result& result, const std::filesystem::path& folder, const std::string& formats);
 
 }  // namespace grader

@@ -6,8 +6,10 @@
 
 namespace grader {
 
-/// Fills Report::similar of all. Files equal byte for byte, or but for comments and blanks, and wrong frames that are equal to the last bit
-/// count; what equals the lab's solution or starter does not (short steps leave little choice).
+/// Fills Report::similar of all, and only in memory: no student's page says it. What counts: a file equal byte for byte; one equal but for
+/// comments and blanks, where enough of it is the student's own (Graded::sources); wrong frames equal to the last bit that no named
+/// misconception explains and that at most four share. What equals the lab's solution or starter never counts, and neither do right
+/// short solutions: short steps leave little choice.
 void findSimilar(std::vector<Result>& results, Language language);
 
 }  // namespace grader

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "grader/grading/command_line.hpp"
 
+#include "grader/grading/scratch.hpp"
 #include "grader/report/formats/formats.hpp"
 #include "lab/options.hpp"
 
@@ -82,8 +83,8 @@ void replaceReport(const Graded& graded, const fs::path& folder, const std::stri
         if (!isReport(clean))
             throw UsageError(clean.string() + ": holds something that is no report; expected a new folder, "
                                               "an empty one, or an earlier report");
-        fs::remove_all(clean);
     }
+    sweep(clean.has_parent_path() ? clean.parent_path() : fs::path("."));
     writeReport(graded, clean, formats);
 }
 

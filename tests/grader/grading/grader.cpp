@@ -57,6 +57,22 @@ void refuseWithinReach(const fs::path& lessons) {
                          "elsewhere, as with --prefix /opt/lambert-lab");
 }
 
+// Apart from all scenes that a rubric's seed gives: students see none of those.
+constexpr std::uint64_t publicScenes = std::uint64_t{1} << 63;
+
+// What stands between semicolons and braces.
+std::vector<std::string> statementsOf(const std::string& text) {
+    std::vector<std::string> statements;
+    const std::string bare = withoutComments(text);
+    for (std::size_t at = 0; at < bare.size();) {
+        const std::size_t end = std::min(bare.find_first_of(";{}\n", at), bare.size());
+        if (end > at)
+            statements.push_back(bare.substr(at, end - at));
+        at = end + 1;
+    }
+    return statements;
+}
+
 bool italian(const GraderOptions& options) { return options.language == Language::it; }
 
 }  // namespace
@@ -67,6 +83,8 @@ Grader::Grader(const GraderOptions& options)
     if (!options.publicViews)
         refuseWithinReach(home_ / "share/lambert-lab/lessons");
     readLesson();
+    if (options.size > 0)
+        rubric_.size = options.size;
     for (const TermCheck& check : rubric_.terms)
         try {
             texts_.check(check.id);
@@ -77,12 +95,14 @@ Grader::Grader(const GraderOptions& options)
         options.walls ? std::make_unique<Confinement>(*options.walls) : std::make_unique<Confinement>();
     kit_ = std::make_unique<Kit>(findKit());
     hashTool();
-    const std::uint64_t seed = options.seed.value_or(rubric_.seed);
+    const std::uint64_t seed =
+        options.publicViews ? rubric_.seed ^ publicScenes : options.seed.value_or(rubric_.seed);
+    const Show show = options.publicViews ? Show::always : Show::wrong;
     std::vector<View> views = options.publicViews ? publicViews(rubric_, italian(options))
                                                   : hiddenViews(rubric_, seed, italian(options));
     const auto scenes = lessonScenes(views);
-    steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes);
-    terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front());
+    steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes, show);
+    terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front(), show);
     tryLesson();
 }
 
@@ -95,10 +115,10 @@ void Grader::readLesson() {
     rubric_ = rubricFor(lesson, share, options_.rubric);
     title_ = lesson.title;
     expectations_.lesson = lesson.stem;
-    common_.insert(sha256(withoutComments(textOf(lesson.file))));
+    noteCommon("lesson", withoutComments(textOf(lesson.file)));  // its very bytes are no student's own work
     for (const auto& [name, text] : shaders_) {
         expectations_.shaders.push_back(name);
-        common_.insert({sha256(text), sha256(withoutComments(text))});
+        noteCommon(name, text);
     }
     for (const std::string& required : rubric_.required)
         expectations_.keepNeutral = expectations_.keepNeutral || required != "lesson";
@@ -108,9 +128,24 @@ void Grader::readLesson() {
         expectations_.starters.emplace_back();
         for (const auto& [name, text] : starter) {
             expectations_.starters.back()[name] = text;
-            common_.insert({sha256(text), sha256(withoutComments(text))});
+            noteCommon(name == lesson.stem + ".cpp" ? "lesson" : name, text);
         }
     }
+}
+
+void Grader::noteCommon(const std::string& part, const std::string& text) {
+    common_.insert({sha256(text), sha256(withoutComments(text))});
+    for (std::string& statement : statementsOf(text))
+        statements_[part].insert(std::move(statement));
+}
+
+std::size_t Grader::ownText(const std::string& part, const std::string& text) const {
+    const auto known = statements_.find(part);
+    std::size_t own = 0;
+    for (const std::string& statement : statementsOf(text))
+        if (known == statements_.end() || known->second.count(statement) == 0)
+            own += statement.size();
+    return own;
 }
 
 void Grader::hashTool() {

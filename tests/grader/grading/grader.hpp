@@ -16,7 +16,10 @@ struct GraderOptions {
     std::string lesson;  ///< "lesson_05_attenuation", a part of it, or its number
     std::filesystem::path rubric;  ///< empty: the lesson's own
     std::optional<std::uint64_t> seed;  ///< of the hidden views and scenes; none: the rubric's
-    bool publicViews = false;  ///< the lesson's own camera, for students, instead of hidden ones
+    /// For students: the lesson's own camera instead of hidden ones, scenes of a seed of their own, and pictures also of what is right.
+    bool publicViews = false;
+    int size = 0;  ///< of the square frames, pixels; 0: the rubric's
+    bool onlyGiven = false;  ///< what the rubric requires and is not there is not missed
     Language language = Language::en;
     std::optional<Walls> walls;  ///< none: the strongest that work
 };
@@ -26,9 +29,10 @@ struct Graded {
     Report report;
     std::vector<Picture> pictures;
     std::map<std::string, std::string>
-        sources;  ///< SHA-256 of each part without comments and blanks, for similarity: "lesson"
+        sources;  ///< SHA-256 of each part ("lesson") without comments and blanks, where enough of it is the student's own
     std::map<std::string, std::string> files;  ///< SHA-256 of each part as it is
-    std::string frames;  ///< SHA-256 of all frames where one is wrong; else empty
+    std::string
+        frames;  ///< SHA-256 of all frames where one is wrong and something is the student's own; else empty
 };
 
 class Grader {
@@ -53,11 +57,14 @@ class Grader {
     const Confinement& confinement() const { return *confinement_; }
     /// Of a part of the lab's own solution and of the starters, as Graded::sources: nobody is told apart by them.
     bool isCommon(const std::string& sourceHash) const { return common_.count(sourceHash) != 0; }
+    /// How much of a part's text is in none of the lab's own: characters of its statements, without comments and blanks.
+    std::size_t ownText(const std::string& part, const std::string& text) const;
 
   private:
     class One;  // one submission on its way
     std::vector<std::shared_ptr<const THREE::LoadedScene>> lessonScenes(const std::vector<View>& views) const;
     void readLesson();
+    void noteCommon(const std::string& part, const std::string& text);
     void hashTool();
     void tryLesson();
 
@@ -69,6 +76,7 @@ class Grader {
     Expectations expectations_;
     std::map<std::string, std::string> shaders_;  // the lab's
     std::set<std::string> common_;
+    std::map<std::string, std::set<std::string>> statements_;  // of each part of the lab's own
     std::unique_ptr<Confinement> confinement_;
     std::unique_ptr<Kit> kit_;
     std::unique_ptr<Steps> steps_;
@@ -81,7 +89,7 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Writes report.json, pictures, index.html and the formats into `folder`, which is made; whole or not at all.
+/// Writes report.json, pictures and the formats into `folder`, which is made or replaced; whole or not at all.
 void writeReport(const Graded& graded, const std::filesystem::path& folder, const std::string& formats);
 
 }  // namespace grader

@@ -11,6 +11,8 @@ namespace grader {
 
 namespace {
 
+constexpr std::size_t enoughOwnText = 100;  // characters that two students do not write alike by chance
+
 class Stopwatch {
   public:
     double lap() {
@@ -53,7 +55,8 @@ class Grader::One {
                 report().reason = submission_.problem;
                 return std::move(graded_);
             }
-            missingParts();
+            if (!grader_.options_.onlyGiven)
+                missingParts();
             if (submission_.lesson)
                 lessonPart();
             if (!submission_.shaders.empty())
@@ -88,8 +91,11 @@ class Grader::One {
         report.confinement = grader_.confinement_->description();
         report.maxScore = grader_.rubric_.points;
         const auto note = [&](const std::string& part, const std::string& text) {
-            graded_.sources[part] = sha256(withoutComments(text));
+            const std::size_t own = grader_.ownText(part, text);
+            ownText_ += own;
             graded_.files[part] = sha256(text);
+            if (own >= enoughOwnText)
+                graded_.sources[part] = sha256(withoutComments(text));
         };
         if (submission_.lesson)
             note("lesson", submission_.lesson->text);
@@ -113,11 +119,10 @@ class Grader::One {
             report().checks.push_back(std::move(check));
         }
     }
-    std::vector<Check> stepChecks() const {
+    PartVerdict withoutFrames() const {
         const std::vector<std::vector<float>> nothing(grader_.steps_->views().size());
-        return grader_.steps_
-            ->judge(nothing, std::vector<std::string>(nothing.size()), [](std::size_t) { return nullptr; })
-            .checks;
+        return grader_.steps_->judge(nothing, std::vector<std::string>(nothing.size()),
+                                     [](std::size_t) { return nullptr; });
     }
 
     void missingParts() {
@@ -126,7 +131,7 @@ class Grader::One {
                 continue;
             const std::string message = part + ": " + say("non è stato consegnato", "was not handed in");
             if (part == "lesson") {
-                skip(stepChecks(), CheckStatus::fail, message);
+                skip(withoutFrames().checks, CheckStatus::fail, message);
                 continue;
             }
             Check check = gate(part.c_str(), part.c_str(), part.c_str());
@@ -156,26 +161,30 @@ class Grader::One {
                                  "the compiler refuses it: see what it says");
         report().checks.push_back(builds);
         if (!built.ok) {
-            skip(stepChecks(), CheckStatus::skipped,
+            PartVerdict verdict = withoutFrames();
+            skip(std::move(verdict.checks), CheckStatus::skipped,
                  say("il programma non si compila", "the program does not build"));
+            add(std::move(verdict.pictures));
             return;
         }
         Drawing drawing = drawingOf(grader_.rubric_, built.program, grader_.shaders_);
         for (const View& view : grader_.steps_->views())
             drawing.lines.push_back(lineOf(view));
-        const Frames drawn = drawAll(drawing, "runs", watch);
+        const Frames drawn = drawAll(drawing, "runs");
         judge(
             [&] {
                 return grader_.steps_->judge(drawn.frames, drawn.problems,
                                              [&](std::size_t view) { return sceneOf(drawing, view); });
             },
-            drawn, watch);
+            drawn);
     }
 
-    std::shared_ptr<const THREE::LoadedScene> sceneOf(Drawing drawing, std::size_t view) const {
+    std::shared_ptr<const THREE::LoadedScene> sceneOf(Drawing drawing, std::size_t view) {
+        Stopwatch watch;
         drawing.lines.clear();
         const Dump dump =
             dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view], slot_);
+        report().framesSeconds += watch.lap();
         if (!dump.problem.empty())
             return nullptr;
         try {
@@ -186,7 +195,6 @@ class Grader::One {
     }
 
     void termsPart() {
-        Stopwatch watch;
         std::map<std::string, std::string> shaders = shadersToTryIn(grader_.shaders_);
         for (const auto& [name, text] : submission_.shaders)
             if (withoutComments(text) != withoutComments(grader_.shaders_.at(name)))
@@ -194,8 +202,7 @@ class Grader::One {
         const auto& scenes = grader_.terms_->scenes();
         Frames all;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
-            const Frames drawn =
-                drawAll(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr, watch);
+            const Frames drawn = drawAll(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr);
             all.frames.push_back(drawn.frames.front());
             all.problems.push_back(drawn.problems.front());
         }
@@ -204,10 +211,10 @@ class Grader::One {
                 return grader_.terms_->judge(
                     all.frames, all.problems, submission_.untouched,
                     [&](std::size_t scene, const std::vector<std::string>& states) {
-                        return drawAll(sceneDrawing(shaders, scene, states), nullptr, watch).frames;
+                        return drawAll(sceneDrawing(shaders, scene, states), nullptr).frames;
                     });
             },
-            all, watch);
+            all);
     }
 
     Drawing sceneDrawing(const std::map<std::string, std::string>& shaders, std::size_t scene,
@@ -223,7 +230,8 @@ class Grader::One {
     }
 
     // Draws; where `check` names one, says in it whether frames came back, and why not.
-    Frames drawAll(const Drawing& drawing, const char* check, Stopwatch& watch) {
+    Frames drawAll(const Drawing& drawing, const char* check) {
+        Stopwatch watch;
         Frames drawn = draw(*grader_.confinement_, *grader_.kit_, drawing, slot_);
         report().framesSeconds += watch.lap();
         if (drawn.outcome.how == Ended::notStarted)
@@ -259,7 +267,9 @@ class Grader::One {
     }
 
     template <class Judge>
-    void judge(const Judge& part, const Frames& drawn, Stopwatch& watch) {
+    void judge(const Judge& part, const Frames& drawn) {
+        Stopwatch watch;
+        const double drawingBefore = report().framesSeconds;  // to judge, more may have to be drawn
         PartVerdict verdict = part();
         countOldOnlyWithNew(verdict.checks, grader_.options_.language);
         bool right = true;
@@ -267,13 +277,16 @@ class Grader::One {
             right = right && check.status == CheckStatus::pass;
             report().checks.push_back(std::move(check));
         }
-        if (!right)
+        if (!right && ownText_ > 0)
             graded_.frames = sha256(graded_.frames + digest(drawn.frames));
-        for (Picture& picture : verdict.pictures) {
+        add(std::move(verdict.pictures));
+        report().judgeSeconds += watch.lap() - (report().framesSeconds - drawingBefore);
+    }
+    void add(std::vector<Picture> pictures) {
+        for (Picture& picture : pictures) {
             report().images.push_back(picture.image);
             graded_.pictures.push_back(std::move(picture));
         }
-        report().judgeSeconds += watch.lap();
     }
 
     const Grader& grader_;
@@ -281,6 +294,7 @@ class Grader::One {
     bool it_;
     Submission submission_;
     Graded graded_;
+    std::size_t ownText_ = 0;
 };
 
 std::string Grader::hashOf(const std::filesystem::path& submission) const {

@@ -1,10 +1,13 @@
 // Marks of whole submissions: built, run within walls, judged. Right ones lose nothing, starters get nothing for the new steps, each
 // misconception costs its term.
 // SPDX-License-Identifier: MIT
+#include "grader/catalogue/hidden_scene.hpp"
 #include "grader/grading/command_line.hpp"
+#include "grader/grading/drawings.hpp"
 #include "grader/grading/grader.hpp"
 #include "grader/submissions/submissions.hpp"
 #include "support/program.hpp"
+#include "three/three.hpp"
 
 #include <gtest/gtest.h>
 
@@ -261,6 +264,22 @@ int main(int n, char* v[]) {
 }
 )"}});
     EXPECT_EQ(report.score, 100) << said(report);
+}
+
+// What a program says of its scene is read outside the walls.
+TEST(Grade, AHugeSceneIsRefusedBeforeItIsDrawn) {
+    THREE::LoadedScene scene = grader::hiddenScene(1, grader::Finish::matte);
+    const std::shared_ptr<THREE::BufferGeometry> shared(new THREE::SphereGeometry(1, 500, 500));
+    const auto json = [&] { return THREE::toJSON(*scene.scene, scene.camera); };
+    EXPECT_NE(grader::loadScene(json()), nullptr);
+    for (int i = 0; i < 10; ++i)
+        scene.scene->add(
+            std::make_unique<THREE::Mesh>(shared, std::make_shared<THREE::MeshLambertMaterial>()));
+    EXPECT_THROW(grader::loadScene(json()), std::runtime_error);
+    THREE::LoadedScene many = grader::hiddenScene(1, grader::Finish::matte);
+    for (int i = 0; i < 2000; ++i)
+        many.scene->add(std::make_unique<THREE::PointLight>());
+    EXPECT_THROW(grader::loadScene(THREE::toJSON(*many.scene, many.camera)), std::runtime_error);
 }
 
 // What is in the way of a report is deleted only if it is one.

@@ -1,10 +1,9 @@
 // A graded submission on disk.
 // SPDX-License-Identifier: MIT
 #include "grader/grading/grader.hpp"
+#include "grader/grading/scratch.hpp"
 #include "grader/report/formats/formats.hpp"
 #include "image/write.hpp"
-
-#include <unistd.h>
 
 namespace grader {
 
@@ -13,7 +12,7 @@ namespace fs = std::filesystem;
 void writeReport(const Graded& graded, const fs::path& folder, const std::string& formats) {
     const std::vector<Format> chosen = parseFormats(formats);
     const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
-    const fs::path fresh = parent / ("." + std::to_string(getpid()) + ".report");
+    const fs::path fresh = parent / (scratchMark() + ".report");
     fs::remove_all(fresh);
     fs::create_directories(fresh);
     try {
@@ -28,7 +27,7 @@ void writeReport(const Graded& graded, const fs::path& folder, const std::string
         image::writeText((fresh / "report.json").string(), toJson(graded.report));
         for (const Format one : chosen)
             image::writeText((fresh / fileNameOf(one)).string(), format(graded.report, fresh, one));
-        fs::rename(fresh, folder);  // fails where the folder is there already and not empty: see the callers
+        replaceFolder(fresh, folder);
     } catch (...) {
         std::error_code ignored;
         fs::remove_all(fresh, ignored);

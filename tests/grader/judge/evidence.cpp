@@ -76,18 +76,23 @@ std::optional<WorstPixel> Evidence::worstPixel() const {
     return result;
 }
 
-std::vector<Picture> Evidence::pictures(const std::string& prefix, Language language) const {
+std::vector<Picture> Evidence::pictures(const std::string& prefix, Language language, Show show) const {
     std::vector<Picture> all;
-    if (worst_ == none)
+    const bool found = worst_ != none;
+    if (show == Show::wrong && (right_ || !found))
         return all;
-    const ExpectedFrame& expected = (*expected_)[worst_];
+    const ExpectedFrame& expected = (*expected_)[found ? worst_ : 0];
     const int size = expected.size();
     const bool it = language == Language::it;
     const std::string which = " (" + expected.name() + ")";
-    all.push_back(picture(prefix, "yours", (it ? "la tua" : "yours") + which, size));
-    all.back().pixels = (*found_)[worst_];
+    if (found) {
+        all.push_back(picture(prefix, "yours", (it ? "la tua" : "yours") + which, size));
+        all.back().pixels = (*found_)[worst_];
+    }
     all.push_back(picture(prefix, "expected", (it ? "attesa" : "expected") + which, size));
     all.back().pixels = expected.pixels();
+    if (!found)
+        return all;
     all.push_back(picture(prefix, "difference", differenceLegend(language), size));
     const render::DifferenceView view = render::differenceView({size, size, image::Floats(all[0].pixels)},
                                                                {size, size, image::Floats(all[1].pixels)});

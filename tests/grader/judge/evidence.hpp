@@ -16,6 +16,12 @@ struct Picture {
     std::vector<std::uint8_t> codes;
 };
 
+/// When there are pictures.
+enum class Show {
+    wrong,  ///< of frames that are wrong, and if one came back
+    always  ///< also of right ones, and the expected one alone where none came back
+};
+
 /// All frames of one part of a submission against the expected ones. The expected frames must outlive it.
 class Evidence {
   public:
@@ -35,7 +41,7 @@ class Evidence {
     /// Of the worst frame; none if no frame is there or nothing is wrong.
     std::optional<WorstPixel> worstPixel() const;
     /// Yours, expected and difference of the worst frame, their ids beginning with `prefix`.
-    std::vector<Picture> pictures(const std::string& prefix, Language language) const;
+    std::vector<Picture> pictures(const std::string& prefix, Language language, Show show) const;
 
   private:
     const std::vector<ExpectedFrame>* expected_;

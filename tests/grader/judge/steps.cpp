@@ -63,9 +63,8 @@ Explanation explanationOf(const std::vector<std::string>& ids, const Texts& text
     }
 }
 
-void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, const std::string& prefix,
-          Language language, PartVerdict& verdict) {
-    verdict.pictures = evidence.pictures(prefix, language);
+void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, Language language,
+          PartVerdict& verdict) {
     for (Check& check : verdict.checks) {
         check.regions = evidence.regions();
         if (check.status == CheckStatus::pass)
@@ -82,8 +81,8 @@ void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, cons
 }
 
 Steps::Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
-             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes)
-    : rubric_(rubric), texts_(texts), language_(language), views_(std::move(views)) {
+             const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes, Show show)
+    : rubric_(rubric), texts_(texts), language_(language), show_(show), views_(std::move(views)) {
     for (std::size_t i = 0; i < views_.size(); ++i)
         expected_.emplace_back(scenes[i], rubric.size, lighting::Switches(), views_[i].name);
 }
@@ -141,6 +140,7 @@ std::optional<WorstPixel> Steps::worstPixel(const Evidence& evidence,
     if (!worst)
         return worst;
     worst->numbers.clear();
+    worst->ownScene = true;
     if (known && known->scenes[evidence.worstFrame()] != nullptr)
         worst->numbers =
             ExpectedFrame(known->scenes[evidence.worstFrame()], rubric_.size, lighting::Switches(), "")
@@ -151,7 +151,8 @@ std::optional<WorstPixel> Steps::worstPixel(const Evidence& evidence,
 // The names that no check means: those of "*".
 std::vector<std::string> Steps::restOf(const Aspects& all) const {
     std::vector<std::string> names;
-    for (const auto& [name, aspect] : all) {
+    for (const auto& aspect : all) {
+        const std::string& name = aspect.first;
         const bool taken =
             std::any_of(rubric_.steps.begin(), rubric_.steps.end(), [&](const StepCheck& step) {
                 return isMeant(step.aspects, name) || isMeant(step.keeps, name);
@@ -174,8 +175,9 @@ void Steps::judgeByScene(const StepCheck& step, const Aspects& aspects, Check& c
     for (const std::string& name : names)
         if (!aspects.at(name).right)
             wrong.push_back(inWords(name, aspects.at(name), language_));
-    grade(check,
-          names.empty() ? 1 : 1 - static_cast<double>(wrong.size()) / static_cast<double>(names.size()));
+    const double share =
+        names.empty() ? 1 : 1 - static_cast<double>(wrong.size()) / static_cast<double>(names.size());
+    grade(check, rest && share < 1 ? 0 : share);  // of all the rest most is right whatever one does
     wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
     constexpr std::size_t most = 3;
     for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i)
@@ -230,9 +232,10 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
         }
         verdict.checks.push_back(std::move(check));
     }
+    verdict.pictures = evidence.pictures("lesson", language_, show_);
     if (right)
         return verdict;
-    show(evidence, worstPixel(evidence, byScene), "lesson", language_, verdict);
+    show(evidence, worstPixel(evidence, byScene), language_, verdict);
     const auto first = std::find_if(verdict.checks.begin(), verdict.checks.end(), [](const Check& check) {
         return check.isNew && check.status != CheckStatus::pass;
     });

@@ -20,9 +20,9 @@ struct PartVerdict {
     std::vector<Picture> pictures;
 };
 
-/// Adds the worst frame's pictures, and to each check that did not pass what shows why: regions, worst pixel, pictures, a hint.
-void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, const std::string& prefix,
-          Language language, PartVerdict& verdict);
+/// Adds to each check that did not pass what shows why: regions, worst pixel, the verdict's pictures, a hint.
+void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, Language language,
+          PartVerdict& verdict);
 
 /// Judges lesson programs. Frames decide: where they are right, all is right. Where they are wrong, the scene that the program
 /// says it has is drawn by the reference; if that gives the student's frames, what differs in the scene is what is wrong.
@@ -31,7 +31,7 @@ class Steps {
   public:
     /// `scenes`: the lesson's own, one for each view.
     Steps(const Rubric& rubric, const Texts& texts, Language language, std::vector<View> views,
-          const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes);
+          const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes, Show show = Show::wrong);
 
     const std::vector<View>& views() const { return views_; }
     const std::vector<ExpectedFrame>& expected() const { return expected_; }
@@ -68,6 +68,7 @@ class Steps {
     const Rubric& rubric_;
     const Texts& texts_;
     Language language_;
+    Show show_;
     std::vector<View> views_;
     std::vector<ExpectedFrame> expected_;
     mutable std::unique_ptr<Explainer> explainer_;

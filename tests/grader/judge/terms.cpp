@@ -84,8 +84,8 @@ lighting::Switches without(const std::string& list) {
 }  // namespace
 
 Terms::Terms(const Rubric& rubric, const Texts& texts, Language language, std::uint64_t seed,
-             std::shared_ptr<const THREE::LoadedScene> lesson)
-    : rubric_(rubric), texts_(texts), language_(language) {
+             std::shared_ptr<const THREE::LoadedScene> lesson, Show show)
+    : rubric_(rubric), texts_(texts), language_(language), show_(show) {
     const std::string word = language == Language::it ? "scena " : "scene ";
     std::vector<Finish> finishes{Finish::matte};
     if (rubric.shiny)
@@ -304,6 +304,7 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
         verdict.checks.back().message =
             say("l'immagine è giusta in tutte le scene", "the picture is right in all scenes");
     }
+    verdict.pictures = evidence.pictures("terms", language_, show_);
     if (evidence.right())
         return verdict;
     if (std::any_of(found.begin(), found.end(), [](const auto& frame) { return frame.empty(); }))
@@ -312,7 +313,7 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
         judgeByBlame(verdict.checks, why);
     else
         judgeByStates(verdict.checks, drawStates);
-    show(evidence, evidence.worstPixel(), "terms", language_, verdict);
+    show(evidence, evidence.worstPixel(), language_, verdict);
     return verdict;
 }
 

@@ -16,7 +16,7 @@ class Terms {
   public:
     /// `seed`: of the hidden scenes; `lesson`: the lesson's own scene at a hidden view, drawn last.
     Terms(const Rubric& rubric, const Texts& texts, Language language, std::uint64_t seed,
-          std::shared_ptr<const THREE::LoadedScene> lesson);
+          std::shared_ptr<const THREE::LoadedScene> lesson, Show show = Show::wrong);
 
     /// The scenes to draw, each with its camera.
     const std::vector<std::shared_ptr<const THREE::LoadedScene>>& scenes() const { return scenes_; }
@@ -51,6 +51,7 @@ class Terms {
     const Rubric& rubric_;
     const Texts& texts_;
     Language language_;
+    Show show_;
     std::vector<std::shared_ptr<const THREE::LoadedScene>> scenes_;
     std::vector<ExpectedFrame> expected_;
     // Matte scenes are explained by themselves, before shiny ones: a mistake in the sum looks the same there whatever it does to highlights.

@@ -52,8 +52,8 @@ struct WorstPixel {
     int x = 0, y = 0;  ///< from the top left
     std::string region;  ///< "lit", ...
     std::array<double, 3> found{}, expected{};
-    std::vector<TermNumber>
-        numbers;  ///< of a program: in the student's own scene; of shaders: as they should be. May be empty
+    bool ownScene = false;  ///< numbers are those of the student's own scene; false: as they should be
+    std::vector<TermNumber> numbers;  ///< may be empty
 };
 
 /// How a part of the frames came out.

@@ -65,6 +65,7 @@ void fields(Archive& at, is<WorstPixel> auto& it) {
     at("region", it.region);
     at("found", it.found);
     at("expected", it.expected);
+    at("own_scene", it.ownScene);
     at("numbers", it.numbers);
 }
 

@@ -146,6 +146,9 @@ std::vector<std::string> feedbackLines(const Report& report, const Check& check)
                 regionName(language, worst->region) + say(language, ": found ", ": trovato ") +
                 colorText(worst->found) + say(language, ", expected ", ", atteso ") +
                 colorText(worst->expected));
+        if (!worst->numbers.empty())
+            lines.push_back(worst->ownScene ? say(language, "There, your scene has:", "Lì la tua scena ha:")
+                                            : say(language, "There, it should be:", "Lì dovrebbe essere:"));
         for (const TermNumber& term : worst->numbers)
             lines.push_back("    " + oneLine(term.symbol) + " = " + oneLine(term.value));
     }

@@ -66,8 +66,9 @@ std::string terms(Language language, const WorstPixel& worst) {
                 "</th><td class=\"value\">" + escaped(oneLine(term.value)) + "</td></tr>\n";
     return std::string("<table><thead><tr><th scope=\"col\">") +
            say(language, "in the equation", "nell'equazione") + "</th><th scope=\"col\">" +
-           say(language, "value there", "valore lì") + "</th></tr></thead>\n<tbody>" + rows +
-           "</tbody></table>\n";
+           (worst.ownScene ? say(language, "in your scene, there", "nella tua scena, lì")
+                           : say(language, "as it should be", "come dovrebbe essere")) +
+           "</th></tr></thead>\n<tbody>" + rows + "</tbody></table>\n";
 }
 
 std::string worstPixel(Language language, const WorstPixel& worst) {
