@@ -268,13 +268,13 @@ int main(int n, char* v[]) {
 
 // What a program says of its scene is read outside the walls.
 TEST(Grade, AHugeSceneIsRefusedBeforeItIsDrawn) {
+    THREE::SphereGeometry ball(1, 500, 500);
+    THREE::MeshLambertMaterial paint;
     THREE::LoadedScene scene = grader::hiddenScene(1, grader::Finish::matte);
-    const std::shared_ptr<THREE::BufferGeometry> shared(new THREE::SphereGeometry(1, 500, 500));
     const auto json = [&] { return THREE::toJSON(*scene.scene, scene.camera); };
     EXPECT_NE(grader::loadScene(json()), nullptr);
     for (int i = 0; i < 10; ++i)
-        scene.scene->add(
-            std::make_unique<THREE::Mesh>(shared, std::make_shared<THREE::MeshLambertMaterial>()));
+        scene.scene->add(std::make_unique<THREE::Mesh>(ball, paint));
     EXPECT_THROW(grader::loadScene(json()), std::runtime_error);
     THREE::LoadedScene many = grader::hiddenScene(1, grader::Finish::matte);
     for (int i = 0; i < 2000; ++i)
