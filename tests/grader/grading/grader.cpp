@@ -51,10 +51,10 @@ Rubric rubricFor(const nuovo::Lesson& lesson, const fs::path& share, const fs::p
 // Submissions can read all of /usr: a program that includes the lesson from there would be the lesson.
 void refuseWithinReach(const fs::path& lessons) {
     const std::string real = fs::weakly_canonical(lessons).string();
-    if (real.starts_with("/usr/"))
+    if (real.starts_with("/usr/") && !real.starts_with("/usr/local/"))
         throw UsageError(real +
                          ": submissions can read what is below /usr, and so the solutions; install the lab "
-                         "elsewhere, as with --prefix /opt/lambert-lab");
+                         "elsewhere, as with --prefix /usr/local or /opt/lambert-lab");
 }
 
 // Apart from all scenes that a rubric's seed gives: students see none of those.
