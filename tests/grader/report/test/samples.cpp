@@ -106,6 +106,7 @@ void spoilPointLight(Check& wrong, bool italian) {
                              "lit",
                              {0.0, 0.0123, 0.0},
                              {0.8627, 0.5333, 0.3333},
+                             true,
                              {{"D", "albedo", "(1, 0.533, 0.333)"},
                               {"n . w_1", "cosine", "0.8627"},
                               {"max(0, n . w_1)", "clamp", "0.8627"},
