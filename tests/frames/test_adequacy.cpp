@@ -1,9 +1,9 @@
 // What the hidden scenes are worth: they reject every misconception of the catalogue that they can show, tell each from the
 // others, and accept what is right in other words.
 // SPDX-License-Identifier: MIT
-#include "support/draw.hpp"
 #include "grader/catalogue/hidden_scene.hpp"
 #include "grader/catalogue/misconceptions.hpp"
+#include "support/draw.hpp"
 #include "three/object_loader.hpp"
 
 #include <algorithm>

@@ -18,7 +18,8 @@ bool wantsFloats(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr" || extension == ".pfm" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
+    return extension == ".exr" || extension == ".pfm" || extension == ".tif" || extension == ".tiff" ||
+           extension == ".hdr";
 }
 
 image::Frame drawSides(std::span<const Side> sides, render::Renderer& renderer,
