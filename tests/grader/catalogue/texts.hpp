@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "grader/report/report.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@ namespace grader {
 /// A text in both languages of the lab.
 struct BothLanguages {
     std::string it, en;
+    const std::string& in(Language language) const { return language == Language::it ? it : en; }
 };
 
 /// What there is to say of a wrong equation, or of a class that no picture can split.

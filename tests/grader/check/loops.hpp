@@ -16,9 +16,6 @@ struct CheckRequest {
     lab::PanelStyle style;
 };
 
-/// For Grader::grade: none that `grade` has by default, and others for other checks on this machine.
-int slotOfCheck();
-
 enum CheckStatusCode { AllRight = 0, NotYet = 1, CheckUsage = 2, CheckCannot = 75 };
 
 /// Says the verdict and writes the picture, and does it again whenever something was saved, until a signal (SIGINT, SIGTERM) ends

@@ -8,7 +8,6 @@
 #include <csignal>
 #include <iostream>
 #include <thread>
-#include <unistd.h>
 
 namespace grader {
 
@@ -50,20 +49,18 @@ std::string hashOf(const Grader& grader, const std::filesystem::path& file) {
 
 }  // namespace
 
-int slotOfCheck() { return 100 + static_cast<int>(getpid() % 400); }
-
 int checkInTerminal(const CheckRequest& request) {
     stopOnSignals();
     const Grader grader(request.grading);
     if (request.once)
-        return tell(grader.grade(request.file, slotOfCheck()), request.picture);
+        return tell(grader.grade(request.file), request.picture);
     std::string judged;
     for (; stopped == 0; std::this_thread::sleep_for(std::chrono::milliseconds(200))) {
         std::string now = hashOf(grader, request.file);
         if (now.empty() || now == judged)
             continue;
         judged = std::move(now);
-        tell(grader.grade(request.file, slotOfCheck()), request.picture);
+        tell(grader.grade(request.file), request.picture);
         std::cout << say(grader.language(), "waiting for the next save; Ctrl-C ends\n\n",
                          "aspetto il prossimo salvataggio; Ctrl-C per finire\n\n")
                   << std::flush;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "grader/check/worker.hpp"
 
-#include "grader/check/loops.hpp"
-
 #include <utility>
 
 namespace grader {
@@ -60,7 +58,7 @@ void Worker::judge(const Grader& grader, bool again) {
         }
         wake_();
         judged_ = std::move(hash);
-        round.graded = grader.grade(file_, slotOfCheck());
+        round.graded = grader.grade(file_);
     } catch (const std::exception& error) {  // as while an editor has taken the file away for a moment
         judged_.clear();
         round.trouble = error.what();

@@ -60,7 +60,7 @@ class ClassRun {
         grader_.prepare();
         int failed = 0;
         runPool(
-            mine_.size(), options_.jobs, [this](std::size_t i, int slot) { return grade(mine_[i], slot); },
+            mine_.size(), options_.jobs, [this](std::size_t i) { return grade(mine_[i]); },
             [&](std::size_t i, const std::string& why) {
                 ++failed;
                 if (!why.empty())  // else its report is written and says what was wrong
@@ -80,7 +80,7 @@ class ClassRun {
         for (const fs::path& submission : mine_)
             (fs::exists(resultOf(submission)) ? before : left).push_back(submission);
         runPool(
-            before.size(), options_.jobs, [&](std::size_t i, int) { return isDone(before[i]); },
+            before.size(), options_.jobs, [&](std::size_t i) { return isDone(before[i]); },
             [&](std::size_t i, const std::string&) { left.push_back(before[i]); });
         std::sort(left.begin(), left.end());
         mine_ = std::move(left);
@@ -94,8 +94,8 @@ class ClassRun {
                    ResultKey{grader_.hashOf(submission), grader_.toolHash(), grader_.rubric().hash};
     }
 
-    bool grade(const fs::path& submission, int slot) const {
-        const Graded graded = grader_.grade(submission, slot);
+    bool grade(const fs::path& submission) const {
+        const Graded graded = grader_.grade(submission);
         write(graded, submission);
         return graded.report.status != ReportStatus::infrastructure;
     }

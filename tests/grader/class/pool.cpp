@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "grader/class/pool.hpp"
 
-#include "grader/class/slots.hpp"
 #include "lab/progress.hpp"
 
 #include <algorithm>
@@ -62,21 +61,20 @@ class Signals {
 
 struct Worker {
     std::size_t work;
-    int slot;
     Clock::time_point start;
     int message;  // the reading end of a pipe: what it threw
     bool late = false;
 };
 
-[[noreturn]] void beWorker(std::size_t i, int slot, int message, pid_t parent,
-                           const std::function<bool(std::size_t, int)>& work) {
+[[noreturn]] void beWorker(std::size_t i, int message, pid_t parent,
+                           const std::function<bool(std::size_t)>& work) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // whoever ends the pool ends all of it
     if (getppid() != parent)
         _exit(Threw);
     int status = Threw;
     std::string text = "it threw what is no exception";
     try {
-        status = work(i, slot) ? Done : SaidNo;
+        status = work(i) ? Done : SaidNo;
     } catch (const std::exception& error) {
         text = error.what();
     } catch (...) {
@@ -117,13 +115,11 @@ std::string timeLeft(double seconds) {
 // The processes at work, and what is still to do.
 class Pool {
   public:
-    Pool(std::size_t count, int jobs, double limit) : count_(count), limit_(limit), slots_(jobs) {
-        for (int i = jobs - 1; i >= 0; --i)
-            free_.push_back(slots_[i]);
-    }
+    Pool(std::size_t count, int jobs, double limit)
+        : count_(count), jobs_(static_cast<std::size_t>(jobs)), limit_(limit) {}
     bool isDone() const { return next_ == count_ && workers_.empty(); }
-    void start(const std::function<bool(std::size_t, int)>& work, const Signals& signals) {
-        while (next_ < count_ && !free_.empty()) {
+    void start(const std::function<bool(std::size_t)>& work, const Signals& signals) {
+        while (next_ < count_ && workers_.size() < jobs_) {
             int ends[2];
             if (pipe2(ends, O_CLOEXEC) != 0)
                 throw std::runtime_error(std::string("no pipe for a worker: ") + std::strerror(errno));
@@ -132,15 +128,14 @@ class Pool {
             if (child == 0) {
                 signals.restore();
                 close(ends[0]);
-                beWorker(next_, free_.back(), ends[1], parent, work);
+                beWorker(next_, ends[1], parent, work);
             }
             close(ends[1]);
             if (child < 0) {
                 close(ends[0]);
                 throw std::runtime_error(std::string("no process for a worker: ") + std::strerror(errno));
             }
-            workers_[child] = {next_++, free_.back(), Clock::now(), ends[0]};
-            free_.pop_back();
+            workers_[child] = {next_++, Clock::now(), ends[0]};
         }
     }
     /// Takes in all that have ended.
@@ -153,7 +148,6 @@ class Pool {
                 continue;
             const Worker worker = found->second;
             workers_.erase(found);
-            free_.push_back(worker.slot);
             ++finished_;
             const std::string message = readAll(worker.message);
             if (!WIFEXITED(status) || WEXITSTATUS(status) != Done)
@@ -183,10 +177,8 @@ class Pool {
     }
 
   private:
-    std::size_t count_, next_ = 0, finished_ = 0;
+    std::size_t count_, jobs_, next_ = 0, finished_ = 0;
     double limit_;
-    Slots slots_;
-    std::vector<int> free_;
     std::map<pid_t, Worker> workers_;
     Clock::time_point begin_ = Clock::now();
 };
@@ -200,7 +192,7 @@ void endBy(int number, const Signals& signals) {
 
 }  // namespace
 
-void runPool(std::size_t count, int jobs, const std::function<bool(std::size_t, int)>& work,
+void runPool(std::size_t count, int jobs, const std::function<bool(std::size_t)>& work,
              const std::function<void(std::size_t, const std::string&)>& failed, double limitSeconds) {
     Pool pool(count, jobs, limitSeconds);
     const Signals signals;

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "grader/class/result.hpp"
 
-#include "grader/grading/scratch.hpp"
 #include "grader/report/formats/formats.hpp"
-#include "image/write.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <system_error>
 
 namespace grader {
@@ -42,31 +38,20 @@ std::string keyText(const Graded& graded, const ResultKey& key, const Grader& gr
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string textOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return in ? text.str() : "";
-}
-
 }  // namespace
 
 fs::path resultsFolder(const fs::path& report) { return report / "results"; }
 
 void writeResult(const Graded& graded, const ResultKey& key, const Grader& grader, const fs::path& folder,
                  const std::string& formats) {
-    const fs::path fresh = folder.parent_path() / (scratchMark() + ".new");
-    fs::remove_all(fresh);
-    writeReport(graded, fresh, formats);
-    image::writeText((fresh / keyFile).string(), keyText(graded, key, grader));
-    replaceFolder(fresh, folder);
+    writeReport(graded, folder, formats, {{keyFile, keyText(graded, key, grader)}});
 }
 
 std::optional<Result> readResult(const fs::path& folder) {
     try {
         Result result;
-        result.report = reportFromJson(textOf(folder / "report.json"));
-        const Json json = Json::parse(textOf(folder / keyFile));
+        result.report = reportFromJson(fileBytes(folder / "report.json"));
+        const Json json = Json::parse(fileBytes(folder / keyFile));
         if (json.at("schema") != keySchema)
             return std::nullopt;
         result.key = {json.at("submission"), json.at("tool"), json.at("rubric")};

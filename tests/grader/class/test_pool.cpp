@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "grader/class/class.hpp"
 #include "grader/class/pool.hpp"
-#include "grader/class/slots.hpp"
 #include "support/program.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -21,7 +19,7 @@ TEST(Pool, WhatHappensToOneWorkerHappensToItAlone) {
     const support::TemporaryDirectory directory;
     grader::runPool(
         8, 3,
-        [&](std::size_t i, int slot) {
+        [&](std::size_t i) {
             if (i == 1)
                 std::abort();
             if (i == 2)
@@ -30,7 +28,7 @@ TEST(Pool, WhatHappensToOneWorkerHappensToItAlone) {
                 pause();
             if (i == 4)
                 _exit(9);
-            writeFile(directory.path() / std::to_string(i), std::to_string(slot));
+            writeFile(directory.path() / std::to_string(i), "done");
             return i != 5;
         },
         [&](std::size_t i, const std::string& why) { trouble[i] = why; }, 1);
@@ -41,15 +39,6 @@ TEST(Pool, WhatHappensToOneWorkerHappensToItAlone) {
     EXPECT_EQ(trouble[3], "the grader's process took too long and was ended");
     EXPECT_EQ(trouble[4], "the grader's process ended without a word");
     EXPECT_EQ(trouble[5], "");
-}
-
-TEST(Pool, NoTwoOfThisMachineHaveTheSameSlot) {
-    const grader::Slots first(5), second(5);
-    std::set<int> all;
-    for (int i = 0; i < 5; ++i)
-        all.insert({first[i], second[i]});
-    EXPECT_EQ(all.size(), 10U);
-    EXPECT_GT(*all.begin(), 0);
 }
 
 // What a cluster tells its tasks.

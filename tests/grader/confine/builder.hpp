@@ -43,8 +43,8 @@ struct Built {
 /// What compiling may use.
 Limits buildLimits();
 
-/// Compiles and links; `slot` as in Confinement::run.
-Built build(const Confinement& confinement, const Kit& kit, const Source& source, int slot,
+/// Compiles and links; `slot`, here and below, as in Confinement::run.
+Built build(const Confinement& confinement, const Kit& kit, const Source& source, int slot = 0,
             const Limits& limits = buildLimits());
 
 /// A program, and all that it is given to draw frames with.
@@ -69,7 +69,7 @@ struct Frames {
 };
 
 /// Draws all lines in one process. A frame is whole, of the size asked for, and finite, or it is none.
-Frames draw(const Confinement& confinement, const Kit& kit, const Drawing& drawing, int slot);
+Frames draw(const Confinement& confinement, const Kit& kit, const Drawing& drawing, int slot = 0);
 
 struct Dump {
     std::string scene;  ///< three.js JSON, at most 4 MB; whatever the program says it is
@@ -78,8 +78,11 @@ struct Dump {
 };
 
 /// The scene at a time, as the program itself writes it (--dump-scene). Uses program, words, shaders, files and limits.
-Dump dumpScene(const Confinement& confinement, const Kit& kit, const Drawing& drawing, double time, int slot);
+Dump dumpScene(const Confinement& confinement, const Kit& kit, const Drawing& drawing, double time,
+               int slot = 0);
 
+/// The bytes of a file of the lab's own. Throws std::runtime_error that names it.
+std::string fileBytes(const std::filesystem::path& path);
 /// A program of the lab's own, as "scene_viewer". Throws std::runtime_error if it is not there.
 std::string programBytes(const std::string& name);
 /// Every file of share/lambert-lab/shaders, for Drawing::shaders.

@@ -98,8 +98,8 @@ class Confinement {
     Walls walls() const { return walls_; }
     /// In words, for the report: what holds, and if it is not the strongest, why not and what is missing.
     const std::string& description() const { return description_; }
-    /// Runs the job to its end. Everything that it started is gone when this returns. Thread-safe; `slot`, a number
-    /// that no other job has at the time, chooses the user that it runs as where we are root; another if that one is taken.
+    /// Runs the job to its end. Everything that it started is gone when this returns. Thread-safe. Where we
+    /// are root it runs as a user that no other job of this machine has at the time; `slot` says where looking for one begins.
     Outcome run(const Job& job, int slot = 0) const;
 
   private:

@@ -1,5 +1,6 @@
 // Starts grade_inside and reads its two pipes: never more than a cap, never longer than a time.
 // SPDX-License-Identifier: MIT
+#include "grader/confine/pointers.hpp"
 #include "grader/confine/start.hpp"
 
 #include <algorithm>
@@ -23,15 +24,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double graceSeconds = 10;  // for the start, the end of what is left, and the files
-
-std::vector<char*> pointers(std::vector<std::string>& words) {
-    std::vector<char*> list;
-    for (std::string& word : words) {
-        list.push_back(word.data());
-    }
-    list.push_back(nullptr);
-    return list;
-}
 
 // Between fork and exec, in a program with threads: system calls only. The C library's setresuid would speak to threads
 // that are not here.

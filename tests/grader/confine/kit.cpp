@@ -27,14 +27,6 @@ fs::path found(const fs::path& path, const char* what) {
     return real;
 }
 
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        throw std::runtime_error("cannot read " + path.string() + "; build or install it there");
-    }
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Whether every user may read it.
 bool isOpen(const fs::path& path) {
     const auto may = [](const fs::path& one, fs::perms what) {
@@ -104,6 +96,14 @@ void openToAll(Kit& kit) {
 
 }  // namespace
 
+std::string fileBytes(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw std::runtime_error("cannot read " + path.string() + "; build or install it there");
+    }
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 Kit findKit() {
     const fs::path home = image::home();
     Kit kit;
@@ -119,14 +119,14 @@ Kit findKit() {
     return kit;
 }
 
-std::string programBytes(const std::string& name) { return contents(image::home() / "bin" / name); }
+std::string programBytes(const std::string& name) { return fileBytes(image::home() / "bin" / name); }
 
 std::map<std::string, std::string> labShaders() {
     const fs::path folder = found(image::home() / "share/lambert-lab/shaders", "folder of shaders");
     std::map<std::string, std::string> texts;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file()) {
-            texts[entry.path().lexically_relative(folder).string()] = contents(entry.path());
+            texts[entry.path().lexically_relative(folder).string()] = fileBytes(entry.path());
         }
     }
     return texts;

@@ -30,7 +30,7 @@ struct Gathered {
 /// Who runs a job: where we are root, a user that no file belongs to and that no other grader has while this exists.
 class Lease {
   public:
-    /// Prefers the slot's. Throws std::runtime_error if all are taken.
+    /// Looks from the slot's on. Throws std::runtime_error if all are taken.
     explicit Lease(int slot);
     std::optional<uid_t> user() const { return user_; }
 

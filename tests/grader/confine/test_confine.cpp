@@ -1,9 +1,12 @@
 // What a confinement gives and takes: files in, files out, limits, words; as root and as anybody.
 // SPDX-License-Identifier: MIT
 #include "grader/confine/confine.hpp"
+#include "grader/confine/start.hpp"
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <set>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -121,6 +124,20 @@ TEST_P(Confine, SaysWhatHolds) {
 
 INSTANTIATE_TEST_SUITE_P(Walls, Confine, testing::Values(Walls::bubblewrap, Walls::landlock, Walls::limits),
                          [](const auto& walls) { return std::string(grader::name(walls.param)); });
+
+// Two graders that know nothing of each other would end each other's jobs by the limit on a user's processes.
+TEST(ConfineUsers, AreForOneJobOfThisMachineAtATime) {
+    std::vector<std::unique_ptr<grader::Lease>> leases;
+    std::set<uid_t> users;
+    for (int i = 0; i < 10; ++i) {
+        leases.push_back(std::make_unique<grader::Lease>(0));
+        ASSERT_EQ(leases.back()->user().has_value(), ::geteuid() == 0);
+        if (leases.back()->user()) {
+            EXPECT_TRUE(users.insert(*leases.back()->user()).second);
+        }
+    }
+    EXPECT_EQ(users.count(0), 0U);
+}
 
 TEST(ConfineText, HarmlessKeepsTextAndNothingElse) {
     const std::string good = "Grüße, ω·n ≥ 0 ✓\n\tline\n";

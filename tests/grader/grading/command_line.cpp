@@ -30,7 +30,7 @@ const char* wordFor(CheckStatus status, bool it) {
 // Whether a folder holds a report and nothing else, so that it may go.
 bool isReport(const fs::path& folder) {
     std::set<std::string> names{"report.json"};
-    for (const Format one : parseFormats("html,gradescope,prairielearn,autolab,coderunner,vpl,junit,csv"))
+    for (const Format one : allFormats())
         names.insert(fileNameOf(one));
     if (!fs::is_regular_file(folder / "report.json"))
         return false;

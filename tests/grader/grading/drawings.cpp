@@ -12,13 +12,7 @@ namespace grader {
 namespace {
 
 constexpr const char* lampFile = "lamp.json";
-
-std::vector<std::string> optionsOf(const View& view) {
-    std::vector<std::string> options = view.options;
-    if (view.variant->lamp)
-        options.insert(options.end(), {"--state", std::string("in/") + lampFile});
-    return options;
-}
+const std::string lampInside = std::string("in/") + lampFile;
 
 // 4 MB of JSON can ask for 30,000 knots of 5 million vertices; the grader draws them outside all walls. Lessons have a few.
 void refuseHuge(const THREE::Scene& scene) {
@@ -68,16 +62,16 @@ std::string lineOf(const View& view) {
     char time[32];
     std::snprintf(time, sizeof time, "%.17g", view.time);
     std::string line = std::string("--time ") + time;
-    for (const std::string& option : optionsOf(view))
+    for (const std::string& option : optionsOf(view, lampInside))
         line += " " + option;
     return line;
 }
 
-Dump dumpAt(const Confinement& confinement, const Kit& kit, Drawing drawing, const View& view, int slot) {
-    drawing.words = optionsOf(view);
+Dump dumpAt(const Confinement& confinement, const Kit& kit, Drawing drawing, const View& view) {
+    drawing.words = optionsOf(view, lampInside);
     const std::string size = std::to_string(drawing.width) + "x" + std::to_string(drawing.height);
     drawing.words.insert(drawing.words.end(), {"--size", size});
-    return dumpScene(confinement, kit, drawing, view.time, slot);
+    return dumpScene(confinement, kit, drawing, view.time);
 }
 
 std::shared_ptr<const THREE::LoadedScene> loadScene(const std::string& json) {

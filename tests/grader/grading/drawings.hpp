@@ -21,7 +21,7 @@ std::map<std::string, std::string> shadersToTryIn(std::map<std::string, std::str
 /// The line of a view, for Drawing::lines.
 std::string lineOf(const View& view);
 /// The scene at a view, as the program itself describes it.
-Dump dumpAt(const Confinement& confinement, const Kit& kit, Drawing drawing, const View& view, int slot);
+Dump dumpAt(const Confinement& confinement, const Kit& kit, Drawing drawing, const View& view);
 /// The same, read and checked. Throws THREE::SceneError, or std::runtime_error if it has no camera or is huge.
 std::shared_ptr<const THREE::LoadedScene> loadScene(const std::string& json);
 

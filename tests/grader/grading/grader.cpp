@@ -6,26 +6,14 @@
 #include "grader/submission/hash.hpp"
 #include "image/home.hpp"
 #include "starter.hpp"
-#include "three/validate.hpp"
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
 
 namespace grader {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string textOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in)
-        throw std::runtime_error(file.string() +
-                                 ": cannot be read; is the lab built or installed as a whole?");
-    return text.str();
-}
 
 nuovo::Lesson lessonCalled(const fs::path& share, const std::string& asked) {
     try {
@@ -73,6 +61,7 @@ std::vector<std::string> statementsOf(const std::string& text) {
     return statements;
 }
 
+Show showOf(const GraderOptions& options) { return options.publicViews ? Show::always : Show::wrong; }
 bool italian(const GraderOptions& options) { return options.language == Language::it; }
 
 }  // namespace
@@ -95,18 +84,29 @@ Grader::Grader(const GraderOptions& options)
         options.walls ? std::make_unique<Confinement>(*options.walls) : std::make_unique<Confinement>();
     kit_ = std::make_unique<Kit>(findKit());
     hashTool();
-    const std::uint64_t seed =
-        options.publicViews ? rubric_.seed ^ publicScenes : options.seed.value_or(rubric_.seed);
-    const Show show = options.publicViews ? Show::always : Show::wrong;
     std::vector<View> views = options.publicViews ? publicViews(rubric_, italian(options))
-                                                  : hiddenViews(rubric_, seed, italian(options));
+                                                  : hiddenViews(rubric_, seed(), italian(options));
     const auto scenes = lessonScenes(views);
-    steps_ = std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes, show);
-    terms_ = std::make_unique<Terms>(rubric_, texts_, options.language, seed, scenes.front(), show);
+    lessonScene_ = scenes.front();
+    steps_ =
+        std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes, showOf(options));
     tryLesson();
 }
 
 Grader::~Grader() = default;
+
+std::uint64_t Grader::seed() const {
+    return options_.publicViews ? rubric_.seed ^ publicScenes : options_.seed.value_or(rubric_.seed);
+}
+
+const Terms& Grader::terms() const {
+    if (terms_ == nullptr)
+        terms_ = std::make_unique<Terms>(rubric_, texts_, options_.language, seed(), lessonScene_,
+                                         showOf(options_));
+    return *terms_;
+}
+
+Drawing Grader::lessonDrawing() const { return drawingOf(rubric_, programBytes(rubric_.lesson), shaders_); }
 
 // The lesson's texts: title, starters, what every right submission has in it.
 void Grader::readLesson() {
@@ -115,7 +115,8 @@ void Grader::readLesson() {
     rubric_ = rubricFor(lesson, share, options_.rubric);
     title_ = lesson.title;
     expectations_.lesson = lesson.stem;
-    noteCommon("lesson", withoutComments(textOf(lesson.file)));  // its very bytes are no student's own work
+    noteCommon("lesson",
+               withoutComments(fileBytes(lesson.file)));  // its very bytes are no student's own work
     for (const auto& [name, text] : shaders_) {
         expectations_.shaders.push_back(name);
         noteCommon(name, text);
@@ -149,7 +150,7 @@ std::size_t Grader::ownText(const std::string& part, const std::string& text) co
 }
 
 void Grader::hashTool() {
-    std::string all = sha256(textOf("/proc/self/exe")) + sha256(textOf(kit_->library)) +
+    std::string all = sha256(fileBytes("/proc/self/exe")) + sha256(fileBytes(kit_->library)) +
                       sha256(programBytes(rubric_.lesson)) +
                       std::to_string(options_.seed.value_or(rubric_.seed)) +
                       (options_.publicViews ? "public" : "hidden") + (italian(options_) ? "it" : "en") +
@@ -163,9 +164,9 @@ void Grader::hashTool() {
 std::vector<std::shared_ptr<const THREE::LoadedScene>>
 Grader::lessonScenes(const std::vector<View>& views) const {
     std::vector<std::shared_ptr<const THREE::LoadedScene>> scenes;
-    Drawing drawing = drawingOf(rubric_, programBytes(rubric_.lesson), shaders_);
+    Drawing drawing = lessonDrawing();
     for (const View& view : views) {
-        const Dump dump = dumpAt(*confinement_, *kit_, drawing, view, 0);
+        const Dump dump = dumpAt(*confinement_, *kit_, drawing, view);
         if (!dump.problem.empty())
             throw std::runtime_error("the lesson's own program gives no scene: " + dump.problem +
                                      ". It says: " + dump.outcome.said + dump.outcome.trouble);
@@ -176,10 +177,10 @@ Grader::lessonScenes(const std::vector<View>& views) const {
 
 // Before anybody is judged: the lab's own lesson must come out right, drawn here and now as submissions are.
 void Grader::tryLesson() {
-    Drawing drawing = drawingOf(rubric_, programBytes(rubric_.lesson), shaders_);
+    Drawing drawing = lessonDrawing();
     drawing.words = {"--stats"};
     drawing.lines = {lineOf(steps_->views().front())};
-    const Frames drawn = draw(*confinement_, *kit_, drawing, 0);
+    const Frames drawn = draw(*confinement_, *kit_, drawing);
     const std::vector<float>& frame = drawn.frames.front();
     if (frame.empty() || !compare(steps_->expected().front(), frame).right())
         throw std::runtime_error(
@@ -195,7 +196,7 @@ void Grader::tryLesson() {
 
 void Grader::prepare() const {
     steps_->prepare();
-    terms_->prepare();
+    terms().prepare();
 }
 
 }  // namespace grader

@@ -43,8 +43,8 @@ class Grader {
 
     /// Makes what is otherwise made on first need; before processes are forked, so that all share it.
     void prepare() const;
-    /// Never throws for what is in a submission. `slot`: see Confinement::run.
-    Graded grade(const std::filesystem::path& submission, int slot = 0) const;
+    /// Never throws for what is in a submission.
+    Graded grade(const std::filesystem::path& submission) const;
 
     /// SHA-256 of a submission's files, as Report::submissionHash.
     std::string hashOf(const std::filesystem::path& submission) const;
@@ -54,7 +54,6 @@ class Grader {
     Language language() const { return options_.language; }
     /// SHA-256 over all that marks depend on besides submission and rubric: programs, shaders, seed, language.
     const std::string& toolHash() const { return toolHash_; }
-    const Confinement& confinement() const { return *confinement_; }
     /// Of a part of the lab's own solution and of the starters, as Graded::sources: nobody is told apart by them.
     bool isCommon(const std::string& sourceHash) const { return common_.count(sourceHash) != 0; }
     /// How much of a part's text is in none of the lab's own: characters of its statements, without comments and blanks.
@@ -67,6 +66,10 @@ class Grader {
     void noteCommon(const std::string& part, const std::string& text);
     void hashTool();
     void tryLesson();
+    Drawing lessonDrawing() const;
+    const Terms& terms() const;
+
+    std::uint64_t seed() const;  // of hidden views and scenes
 
     GraderOptions options_;
     std::filesystem::path home_;
@@ -80,7 +83,8 @@ class Grader {
     std::unique_ptr<Confinement> confinement_;
     std::unique_ptr<Kit> kit_;
     std::unique_ptr<Steps> steps_;
-    std::unique_ptr<Terms> terms_;
+    std::shared_ptr<const THREE::LoadedScene> lessonScene_;  // at the first view
+    mutable std::unique_ptr<Terms> terms_;  // made on first need: most hand in no shaders
 };
 
 /// What is wrong with the command line or the files that it names. Exit status 2.
@@ -89,7 +93,8 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Writes report.json, pictures and the formats into `folder`, which is made or replaced; whole or not at all.
-void writeReport(const Graded& graded, const std::filesystem::path& folder, const std::string& formats);
+/// Writes report.json, pictures, the formats and `more` (names and texts) into `folder`, which is made or replaced; whole or not at all.
+void writeReport(const Graded& graded, const std::filesystem::path& folder, const std::string& formats,
+                 const std::map<std::string, std::string>& more = {});
 
 }  // namespace grader

@@ -3,6 +3,7 @@
 #include "grader/grading/drawings.hpp"
 #include "grader/grading/grader.hpp"
 #include "grader/judge/marks.hpp"
+#include "grader/report/text.hpp"
 #include "grader/submission/hash.hpp"
 
 #include <chrono>
@@ -43,9 +44,9 @@ std::string digest(const std::vector<std::vector<float>>& frames) {
 
 class Grader::One {
   public:
-    One(const Grader& grader, const std::filesystem::path& path, int slot)
-        : grader_(grader), slot_(slot), it_(grader.options_.language == Language::it),
-          submission_(readSubmission(path, grader.expectations_, grader.options_.language)) {}
+    One(const Grader& grader, const std::filesystem::path& path)
+        : grader_(grader), language_(grader.options_.language),
+          submission_(readSubmission(path, grader.expectations_, language_)) {}
 
     Graded run() {
         start();
@@ -75,7 +76,6 @@ class Grader::One {
 
   private:
     Report& report() { return graded_.report; }
-    const char* say(const char* it, const char* en) const { return it_ ? it : en; }
 
     void start() {
         Report& report = graded_.report;
@@ -84,7 +84,7 @@ class Grader::One {
         report.lesson = grader_.rubric_.lesson;
         report.lessonTitle = grader_.title_;
         report.renderer = grader_.renderer_;
-        report.language = grader_.options_.language;
+        report.language = language_;
         report.submission = submission_.name;
         report.submissionHash = submission_.hash;
         report.files = submission_.files;
@@ -103,10 +103,10 @@ class Grader::One {
             note(name, text);
     }
 
-    Check gate(const char* id, const char* it, const char* en) const {
+    static Check gate(const std::string& id, const std::string& title) {
         Check check;
         check.id = id;
-        check.title = say(it, en);
+        check.title = title;
         return check;
     }
 
@@ -129,12 +129,13 @@ class Grader::One {
         for (const std::string& part : grader_.rubric_.required) {
             if (submission_.has(part))
                 continue;
-            const std::string message = part + ": " + say("non è stato consegnato", "was not handed in");
+            const std::string message =
+                part + ": " + say(language_, "was not handed in", "non è stato consegnato");
             if (part == "lesson") {
                 skip(withoutFrames().checks, CheckStatus::fail, message);
                 continue;
             }
-            Check check = gate(part.c_str(), part.c_str(), part.c_str());
+            Check check = gate(part, part);
             for (const TermCheck& term : grader_.rubric_.terms)
                 if (part == "terms/" + term.id + ".glsl")
                     check.maxScore = submission_.shaders.empty() ? term.points : 0;
@@ -149,21 +150,21 @@ class Grader::One {
         Source source{submission_.lesson->name, submission_.lesson->text, {}};
         for (const NamedText& header : submission_.headers)
             source.headers.emplace_back(header.name, header.text);
-        const Built built = build(*grader_.confinement_, *grader_.kit_, source, slot_);
+        const Built built = build(*grader_.confinement_, *grader_.kit_, source);
         report().compileSeconds += watch.lap();
         report().buildLog = built.log;
         if (built.how == Ended::notStarted)
             throw Trouble(built.trouble);
-        Check builds = gate("builds", "il programma si compila", "the program builds");
+        Check builds = gate("builds", say(language_, "the program builds", "il programma si compila"));
         builds.status = built.ok ? CheckStatus::pass : CheckStatus::fail;
         if (!built.ok)
-            builds.message = say("il compilatore lo rifiuta: vedi che cosa dice",
-                                 "the compiler refuses it: see what it says");
+            builds.message = say(language_, "the compiler refuses it: see what it says",
+                                 "il compilatore lo rifiuta: vedi che cosa dice");
         report().checks.push_back(builds);
         if (!built.ok) {
             PartVerdict verdict = withoutFrames();
             skip(std::move(verdict.checks), CheckStatus::skipped,
-                 say("il programma non si compila", "the program does not build"));
+                 say(language_, "the program does not build", "il programma non si compila"));
             add(std::move(verdict.pictures));
             return;
         }
@@ -183,7 +184,7 @@ class Grader::One {
         Stopwatch watch;
         drawing.lines.clear();
         const Dump dump =
-            dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view], slot_);
+            dumpAt(*grader_.confinement_, *grader_.kit_, drawing, grader_.steps_->views()[view]);
         report().framesSeconds += watch.lap();
         if (!dump.problem.empty())
             return nullptr;
@@ -199,7 +200,7 @@ class Grader::One {
         for (const auto& [name, text] : submission_.shaders)
             if (withoutComments(text) != withoutComments(grader_.shaders_.at(name)))
                 shaders[name] = text;
-        const auto& scenes = grader_.terms_->scenes();
+        const auto& scenes = grader_.terms().scenes();
         Frames all;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             const Frames drawn = drawAll(sceneDrawing(shaders, i, {"all"}), i == 0 ? "draws" : nullptr);
@@ -208,7 +209,7 @@ class Grader::One {
         }
         judge(
             [&] {
-                return grader_.terms_->judge(
+                return grader_.terms().judge(
                     all.frames, all.problems, submission_.untouched,
                     [&](std::size_t scene, const std::vector<std::string>& states) {
                         return drawAll(sceneDrawing(shaders, scene, states), nullptr).frames;
@@ -221,7 +222,7 @@ class Grader::One {
                          const std::vector<std::string>& states) const {
         static const std::string viewer = programBytes("scene_viewer");
         Drawing drawing = drawingOf(grader_.rubric_, viewer, shaders);
-        const THREE::LoadedScene& shown = *grader_.terms_->scenes()[scene];
+        const THREE::LoadedScene& shown = *grader_.terms().scenes()[scene];
         drawing.words = {"in/scene.json"};
         drawing.files = {{"scene.json", THREE::toJSON(*shown.scene, shown.camera)}};
         for (const std::string& state : states)
@@ -232,7 +233,7 @@ class Grader::One {
     // Draws; where `check` names one, says in it whether frames came back, and why not.
     Frames drawAll(const Drawing& drawing, const char* check) {
         Stopwatch watch;
-        Frames drawn = draw(*grader_.confinement_, *grader_.kit_, drawing, slot_);
+        Frames drawn = draw(*grader_.confinement_, *grader_.kit_, drawing);
         report().framesSeconds += watch.lap();
         if (drawn.outcome.how == Ended::notStarted)
             throw Trouble(drawn.outcome.trouble);
@@ -240,9 +241,9 @@ class Grader::One {
             return drawn;
         if (report().said.size() < 4096)
             report().said += drawn.outcome.said;
-        Check runs = gate(check, "", "");
-        runs.title = check == std::string("runs") ? say("il programma disegna", "the program draws")
-                                                  : say("gli shader disegnano", "the shaders draw");
+        Check runs = gate(check, check == std::string("runs")
+                                     ? say(language_, "the program draws", "il programma disegna")
+                                     : say(language_, "the shaders draw", "gli shader disegnano"));
         runs.status = CheckStatus::pass;
         for (std::size_t i = drawn.frames.size(); i-- > 0;)
             if (drawn.frames[i].empty()) {
@@ -258,10 +259,10 @@ class Grader::One {
         if (!outcome.limit.empty())
             return outcome.limit + "; ";
         if (outcome.how == Ended::killed)
-            return std::string(say("fermato dal segnale ", "ended by signal ")) +
+            return std::string(say(language_, "ended by signal ", "fermato dal segnale ")) +
                    std::to_string(outcome.status) + "; ";
         if (outcome.how == Ended::exited && outcome.status != 0)
-            return std::string(say("finito con lo stato ", "ended with status ")) +
+            return std::string(say(language_, "ended with status ", "finito con lo stato ")) +
                    std::to_string(outcome.status) + "; ";
         return "";
     }
@@ -271,7 +272,7 @@ class Grader::One {
         Stopwatch watch;
         const double drawingBefore = report().framesSeconds;  // to judge, more may have to be drawn
         PartVerdict verdict = part();
-        countOldOnlyWithNew(verdict.checks, grader_.options_.language);
+        countOldOnlyWithNew(verdict.checks, language_);
         bool right = true;
         for (Check& check : verdict.checks) {
             right = right && check.status == CheckStatus::pass;
@@ -290,8 +291,7 @@ class Grader::One {
     }
 
     const Grader& grader_;
-    int slot_;
-    bool it_;
+    Language language_;
     Submission submission_;
     Graded graded_;
     std::size_t ownText_ = 0;
@@ -301,8 +301,6 @@ std::string Grader::hashOf(const std::filesystem::path& submission) const {
     return readSubmission(submission, expectations_, options_.language).hash;
 }
 
-Graded Grader::grade(const std::filesystem::path& submission, int slot) const {
-    return One(*this, submission, slot).run();
-}
+Graded Grader::grade(const std::filesystem::path& submission) const { return One(*this, submission).run(); }
 
 }  // namespace grader

@@ -38,7 +38,7 @@ class Program {
     Scene sceneAt(const grader::View& view) const {
         std::vector<std::string> line{name_,    "--dump-scene",           "scene.json", "--size", sizeText(),
                                       "--time", std::to_string(view.time)};
-        for (const std::string& option : optionsOf(view))
+        for (const std::string& option : optionsOf(view, "lamp.json"))
             line.push_back(option);
         if (support::run(line, directory_.path()).status != 0)
             return nullptr;
@@ -49,7 +49,7 @@ class Program {
         std::string lines;
         for (std::size_t i = 0; i < views.size(); ++i) {
             lines += "--frame " + std::to_string(i) + ".exr --time " + std::to_string(views[i].time);
-            for (const std::string& option : optionsOf(views[i]))
+            for (const std::string& option : optionsOf(views[i], "lamp.json"))
                 lines += " " + option;
             lines += "\n";
         }
@@ -67,12 +67,6 @@ class Program {
 
   private:
     std::string sizeText() const { return std::to_string(size_) + "x" + std::to_string(size_); }
-    static std::vector<std::string> optionsOf(const grader::View& view) {
-        std::vector<std::string> options = view.options;
-        if (view.variant->lamp)
-            options.insert(options.end(), {"--state", "lamp.json"});
-        return options;
-    }
     std::string name_;
     int size_;
     support::TemporaryDirectory directory_;

@@ -9,7 +9,8 @@ namespace grader {
 
 namespace fs = std::filesystem;
 
-void writeReport(const Graded& graded, const fs::path& folder, const std::string& formats) {
+void writeReport(const Graded& graded, const fs::path& folder, const std::string& formats,
+                 const std::map<std::string, std::string>& more) {
     const std::vector<Format> chosen = parseFormats(formats);
     const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
     const fs::path fresh = parent / (scratchMark() + ".report");
@@ -27,6 +28,8 @@ void writeReport(const Graded& graded, const fs::path& folder, const std::string
         image::writeText((fresh / "report.json").string(), toJson(graded.report));
         for (const Format one : chosen)
             image::writeText((fresh / fileNameOf(one)).string(), format(graded.report, fresh, one));
+        for (const auto& [name, text] : more)
+            image::writeText((fresh / name).string(), text);
         replaceFolder(fresh, folder);
     } catch (...) {
         std::error_code ignored;

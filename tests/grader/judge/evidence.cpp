@@ -6,7 +6,6 @@
 #include "render/difference_view.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace grader {
 
@@ -37,13 +36,6 @@ Evidence::Evidence(const std::vector<ExpectedFrame>& expected, const std::vector
         if (there(i) && (worst_ == none || verdicts_[i].share() < verdicts_[worst_].share()))
             worst_ = i;
     }
-}
-
-double Evidence::share() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < verdicts_.size(); ++i)
-        sum += there(i) ? verdicts_[i].share() : 0;
-    return verdicts_.empty() ? 0 : sum / static_cast<double>(verdicts_.size());
 }
 
 std::vector<RegionShare> Evidence::regions() const {

@@ -32,8 +32,6 @@ class Evidence {
     bool right() const { return right_; }
     bool right(std::size_t frame) const { return there(frame) && verdicts_[frame].right(); }
     bool there(std::size_t frame) const { return !(*found_)[frame].empty(); }
-    /// Of the pixels that count, over all frames; a frame that is not there has none right.
-    double share() const;
     /// The frame with the smallest share of right pixels among those that are there; none: SIZE_MAX.
     std::size_t worstFrame() const { return worst_; }
 

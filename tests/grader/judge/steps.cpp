@@ -3,7 +3,6 @@
 #include "grader/judge/steps.hpp"
 
 #include "grader/judge/aspect_words.hpp"
-#include "three/validate.hpp"
 
 #include <algorithm>
 #include <set>
@@ -38,27 +37,23 @@ void grade(Check& check, double share) {
 
 }  // namespace
 
-const std::string& in(const BothLanguages& text, Language language) {
-    return language == Language::it ? text.it : text.en;
-}
-
 Explanation explanationOf(const std::vector<std::string>& ids, const Texts& texts, Language language) {
     Explanation result;
     result.ids = ids;
     const MisconceptionText* first = &texts.misconception(ids.front());
     try {
         const MisconceptionText& text = texts.textOf(ids);
-        result.name = in(text.name, language);
-        result.hint = in(text.hint, language);
-        result.convention = in(text.convention, language);
+        result.name = text.name.in(language);
+        result.hint = text.hint.in(language);
+        result.convention = text.convention.in(language);
         return result;
     } catch (const std::out_of_range&) {  // no class of the catalogue, but these pictures cannot split them
         for (const std::string& id : ids)
             result.name += (result.name.empty()        ? ""
                             : language == Language::it ? ", oppure "
                                                        : ", or ") +
-                           in(texts.misconception(id).name, language);
-        result.hint = in(first->hint, language);
+                           texts.misconception(id).name.in(language);
+        result.hint = first->hint.in(language);
         return result;
     }
 }
@@ -99,12 +94,12 @@ void Steps::prepare() const {
 Check Steps::start(const StepCheck& step) const {
     Check check;
     check.id = step.id;
-    check.title = in(step.title, language_);
+    check.title = step.title.in(language_);
     check.slides = step.slides;
     check.maxScore = step.points;
     check.isNew = step.isNew;
     check.dependsOn = {"runs"};
-    check.expected = in(step.expected, language_);
+    check.expected = step.expected.in(language_);
     return check;
 }
 
@@ -219,16 +214,19 @@ PartVerdict Steps::judge(const std::vector<std::vector<float>>& found,
             grade(check, 0);
             check.message =
                 !missing.empty()
-                    ? say("manca un'immagine: ", "a frame is missing: ") + missing
-                    : say("l'immagine non è quella attesa, né quella che la scena del programma darebbe",
-                          "the picture is not as expected, nor what the program's own scene would give");
+                    ? say(language_, "a frame is missing: ", "manca un'immagine: ") + missing
+                    : say(language_,
+                          "the picture is not as expected, nor what the program's own scene would give",
+                          "l'immagine non è quella attesa, né quella che la scena del programma darebbe");
         } else if (right) {
             grade(check, 1);
-            check.message = say("l'immagine è giusta in tutte le viste", "the picture is right in all views");
+            check.message =
+                say(language_, "the picture is right in all views", "l'immagine è giusta in tutte le viste");
         } else {
             judgeByScene(step, byScene->aspects, check);
             if (check.status == CheckStatus::pass)
-                check.message = say("questa parte della scena è giusta", "this part of the scene is right");
+                check.message =
+                    say(language_, "this part of the scene is right", "questa parte della scena è giusta");
         }
         verdict.checks.push_back(std::move(check));
     }

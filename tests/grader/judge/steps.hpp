@@ -8,6 +8,7 @@
 #include "grader/judge/rubric.hpp"
 #include "grader/judge/scene_difference.hpp"
 #include "grader/judge/views.hpp"
+#include "grader/report/text.hpp"
 
 #include <functional>
 #include <memory>
@@ -63,7 +64,6 @@ class Steps {
                                          const std::optional<Differences>& known) const;
     std::string missingFor(const StepCheck& step, const Evidence& evidence,
                            const std::vector<std::string>& problems) const;
-    const char* say(const char* it, const char* en) const { return language_ == Language::it ? it : en; }
 
     const Rubric& rubric_;
     const Texts& texts_;
@@ -76,6 +76,5 @@ class Steps {
 
 /// An explanation in words, from ids of the catalogue. Its scores are the caller's.
 Explanation explanationOf(const std::vector<std::string>& ids, const Texts& texts, Language language);
-const std::string& in(const BothLanguages& text, Language language);
 
 }  // namespace grader

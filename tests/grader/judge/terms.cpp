@@ -126,13 +126,13 @@ Check Terms::start(const TermCheck& term) const {
     const CheckText& text = texts_.check(term.id);
     Check check;
     check.id = term.id;
-    check.title = in(text.title, language_);
+    check.title = text.title.in(language_);
     check.slides = text.slides;
     check.maxScore = check.score = term.points;
     check.status = CheckStatus::pass;
     check.isNew = term.isNew;
     check.dependsOn = dependenciesOf(term.id);
-    check.expected = in(text.expected, language_);
+    check.expected = text.expected.in(language_);
     return check;
 }
 
@@ -157,8 +157,8 @@ Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fi
         ids.end());
     if (!terms.empty() && (ids.empty() || areUntouched(terms))) {
         blame.checks = terms;
-        blame.message = say("il termine non fa nulla: è ancora il suo elemento neutro",
-                            "the term does nothing: it is still its neutral element");
+        blame.message = say(language_, "the term does nothing: it is still its neutral element",
+                            "il termine non fa nulla: è ancora il suo elemento neutro");
         return blame;
     }
     Explanation explanation = explanationOf(ids, texts_, language_);
@@ -174,8 +174,9 @@ Terms::Blame Terms::blame(std::vector<std::string> ids, const Explainer::Fit& fi
             for (const std::string& id : ids)
                 if (const auto kept = check.credit.find(id); kept != check.credit.end())
                     blame.credit = std::max(blame.credit, kept->second);
-    blame.message = say("l'immagine è quella che si ha quando: ", "the picture is what one gets when: ") +
-                    explanation.name;
+    blame.message =
+        say(language_, "the picture is what one gets when: ", "l'immagine è quella che si ha quando: ") +
+        explanation.name;
     blame.explanation = std::move(explanation);
     return blame;
 }
@@ -240,10 +241,10 @@ void Terms::judgeByStates(std::vector<Check>& checks, const DrawStates& drawStat
         check.score = check.maxScore * best;
         check.status = best >= 1 ? CheckStatus::pass : best > 0 ? CheckStatus::partial : CheckStatus::fail;
         check.message =
-            best >= 1
-                ? say("da solo, questo termine è giusto", "alone, this term is right")
-                : say("anche da solo, con gli altri spenti, questo termine non dà l'immagine attesa",
-                      "alone, with the others off, this term does not give the expected picture either");
+            best >= 1 ? say(language_, "alone, this term is right", "da solo, questo termine è giusto")
+                      : say(language_,
+                            "alone, with the others off, this term does not give the expected picture either",
+                            "anche da solo, con gli altri spenti, questo termine non dà l'immagine attesa");
         if (best <= 0)
             failed.insert(check.id);
     }
@@ -252,8 +253,8 @@ void Terms::judgeByStates(std::vector<Check>& checks, const DrawStates& drawStat
             std::any_of(check.dependsOn.begin(), check.dependsOn.end(),
                         [&](const std::string& id) { return failed.count(id) != 0; })) {
             check.status = CheckStatus::skipped;
-            check.message = say("non si può dire: prima deve essere giusto ciò da cui dipende",
-                                "cannot be told: what it depends on must be right first");
+            check.message = say(language_, "cannot be told: what it depends on must be right first",
+                                "non si può dire: prima deve essere giusto ciò da cui dipende");
         }
     // The frames are wrong and yet each term is right alone: then it is how they are put together.
     if (std::any_of(checks.begin(), checks.end(),
@@ -263,8 +264,8 @@ void Terms::judgeByStates(std::vector<Check>& checks, const DrawStates& drawStat
         if (check.isNew || check.id == "sum") {
             check.score = 0;
             check.status = CheckStatus::fail;
-            check.message = say("ogni termine da solo è giusto, ma l'insieme no",
-                                "each term alone is right, but not all together");
+            check.message = say(language_, "each term alone is right, but not all together",
+                                "ogni termine da solo è giusto, ma l'insieme no");
         }
 }
 
@@ -275,14 +276,14 @@ void Terms::judgeMissing(std::vector<Check>& checks, const std::vector<std::vect
         check.status = CheckStatus::fail;
         for (std::size_t i = found.size(); i-- > 0;)
             if (found[i].empty())
-                check.message = say("manca un'immagine: ", "a frame is missing: ") + expected_[i].name() +
-                                ": " + problems[i];
+                check.message = say(language_, "a frame is missing: ", "manca un'immagine: ") +
+                                expected_[i].name() + ": " + problems[i];
     }
 }
 
 void Terms::judgeByBlame(std::vector<Check>& checks, const std::vector<Blame>& why) const {
     for (Check& check : checks)
-        check.message = say("non è questo l'errore", "the mistake is not here");
+        check.message = say(language_, "the mistake is not here", "non è questo l'errore");
     for (const Blame& one : why)
         for (Check& check : checks)
             if (std::find(one.checks.begin(), one.checks.end(), check.id) != one.checks.end()) {
@@ -302,7 +303,7 @@ PartVerdict Terms::judge(const std::vector<std::vector<float>>& found,
     for (const TermCheck& term : rubric_.terms) {
         verdict.checks.push_back(start(term));
         verdict.checks.back().message =
-            say("l'immagine è giusta in tutte le scene", "the picture is right in all scenes");
+            say(language_, "the picture is right in all scenes", "l'immagine è giusta in tutte le scene");
     }
     verdict.pictures = evidence.pictures("terms", language_, show_);
     if (evidence.right())

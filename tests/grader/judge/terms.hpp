@@ -45,7 +45,6 @@ class Terms {
     void judgeMissing(std::vector<Check>& checks, const std::vector<std::vector<float>>& found,
                       const std::vector<std::string>& problems) const;
     void judgeByBlame(std::vector<Check>& checks, const std::vector<Blame>& why) const;
-    const char* say(const char* it, const char* en) const { return language_ == Language::it ? it : en; }
     Check start(const TermCheck& term) const;
 
     const Rubric& rubric_;

@@ -75,11 +75,9 @@ class Lesson {
         std::vector<std::string> line{
             rubric_.lesson, "--dump-scene",           "scene.json", "--size", "96x96",
             "--time",       std::to_string(view.time)};
-        line.insert(line.end(), view.options.begin(), view.options.end());
-        if (view.variant->lamp) {
-            support::writeFile(directory.path() / "lamp.json", grader::lampState(rubric_.lesson, 96));
-            line.insert(line.end(), {"--state", "lamp.json"});
-        }
+        for (const std::string& option : grader::optionsOf(view, "lamp.json"))
+            line.push_back(option);
+        support::writeFile(directory.path() / "lamp.json", grader::lampState(rubric_.lesson, 96));
         const support::Outcome outcome = support::run(line, directory.path());
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         return support::readFile(directory.path() / "scene.json");

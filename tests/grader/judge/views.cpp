@@ -68,6 +68,13 @@ std::vector<View> publicViews(const Rubric& rubric, bool italian) {
     return views;
 }
 
+std::vector<std::string> optionsOf(const View& view, const std::string& lampFile) {
+    std::vector<std::string> options = view.options;
+    if (view.variant->lamp)
+        options.insert(options.end(), {"--state", lampFile});
+    return options;
+}
+
 std::string lampState(const std::string& lesson, int size) {
     const nlohmann::json state{{"lambert_lab", 1},
                                {"program", lesson},

@@ -23,6 +23,8 @@ std::vector<View> hiddenViews(const Rubric& rubric, std::uint64_t seed, bool ita
 /// The one that students may see: the lesson's own camera, its start, nothing moved.
 std::vector<View> publicViews(const Rubric& rubric, bool italian);
 
+/// The options of a view with its lamp, whose state file is to be found as `lampFile`.
+std::vector<std::string> optionsOf(const View& view, const std::string& lampFile);
 /// A state file (--state) that adds one directional light to a lesson's scene.
 std::string lampState(const std::string& lesson, int size);
 

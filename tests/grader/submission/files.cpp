@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "grader/submission/files.hpp"
 
+#include "grader/report/text.hpp"
+
 #include <algorithm>
 #include <archive.h>
 #include <archive_entry.h>
@@ -20,10 +22,6 @@ namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* say(Language language, const char* it, const char* en) {
-    return language == Language::it ? it : en;
-}
 
 bool endsIn(const std::string& name, std::initializer_list<const char*> ends);
 
@@ -48,11 +46,11 @@ class Taker {
         if (!isSource(name) && !isArchive(name))
             leave(name, "", bytes);
         else if (files_.taken.size() >= mostFiles)
-            leave(name, say(language_, "troppi file: al massimo 200", "too many files: at most 200"), bytes);
+            leave(name, say(language_, "too many files: at most 200", "troppi file: al massimo 200"), bytes);
         else if (bytes < 0 || static_cast<std::size_t>(bytes) > largest)
-            leave(name, say(language_, "troppo grande", "too large"), bytes);
+            leave(name, say(language_, "too large", "troppo grande"), bytes);
         else if (!isArchive(name) && total_ + static_cast<std::size_t>(bytes) > largestTotal)
-            leave(name, say(language_, "troppo in tutto: al massimo 8 MiB", "too much in all: at most 8 MiB"),
+            leave(name, say(language_, "too much in all: at most 8 MiB", "troppo in tutto: al massimo 8 MiB"),
                   bytes);
         else
             return true;
@@ -101,7 +99,7 @@ void takeFile(Taker& taker, const fs::path& path, const std::string& name, Langu
     if (status.type() != fs::file_type::regular) {
         taker.leave(
             name,
-            say(language, "nessun file vero e proprio (un link, una pipe)", "no plain file (a link, a pipe)"),
+            say(language, "no plain file (a link, a pipe)", "nessun file vero e proprio (un link, una pipe)"),
             0);
         return;
     }
@@ -112,7 +110,7 @@ void takeFile(Taker& taker, const fs::path& path, const std::string& name, Langu
     if (std::optional<std::string> text = readPlain(path, isArchive(name) ? largestArchive : largestFile))
         taker.take(name, std::move(*text));
     else
-        taker.leave(name, say(language, "non si legge", "cannot be read"), static_cast<long long>(bytes));
+        taker.leave(name, say(language, "cannot be read", "non si legge"), static_cast<long long>(bytes));
 }
 
 void sortByName(Files& files) {
@@ -189,7 +187,7 @@ Files filesInArchive(const std::string& bytes, Language language) {
     archive_read_support_filter_gzip(in.get());
     const auto broken = [&] {
         const char* why = archive_error_string(in.get());
-        files.problem = std::string(say(language, "l'archivio non si legge", "the archive cannot be read")) +
+        files.problem = std::string(say(language, "the archive cannot be read", "l'archivio non si legge")) +
                         (why == nullptr ? "" : ": " + std::string(why));
     };
     if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) {
@@ -208,14 +206,14 @@ Files filesInArchive(const std::string& bytes, Language language) {
             continue;
         if (archive_entry_filetype(entry) != AE_IFREG) {
             taker.leave(name,
-                        say(language, "nessun file vero e proprio (un link, una pipe)",
-                            "no plain file (a link, a pipe)"),
+                        say(language, "no plain file (a link, a pipe)",
+                            "nessun file vero e proprio (un link, una pipe)"),
                         0);
             continue;
         }
         std::optional<std::string> text = contentOf(in.get());
         if (!text)
-            taker.leave(name, say(language, "non si legge", "cannot be read"), 0);
+            taker.leave(name, say(language, "cannot be read", "non si legge"), 0);
         else if (taker.room(name, static_cast<long long>(text->size())))
             taker.take(name, std::move(*text));
     }

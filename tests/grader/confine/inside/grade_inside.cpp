@@ -2,6 +2,7 @@
 // ends all that it started, and only then hands back what is wanted. The numbers are file descriptors.
 // SPDX-License-Identifier: MIT
 #include "grader/confine/inside/task.hpp"
+#include "grader/confine/pointers.hpp"
 
 #include <cerrno>
 #include <chrono>
@@ -37,15 +38,6 @@ std::string readAll(int file) {
         all.append(part, static_cast<std::size_t>(got));
     }
     return all;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& words) {
-    std::vector<char*> list;
-    for (std::string& word : words) {
-        list.push_back(word.data());
-    }
-    list.push_back(nullptr);
-    return list;
 }
 
 [[noreturn]] void becomeCommand(Task task, int errors, pid_t supervisor) {

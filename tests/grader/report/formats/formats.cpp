@@ -37,6 +37,13 @@ const char* nameOf(Format format) { return rowOf(format).name; }
 
 const char* fileNameOf(Format format) { return rowOf(format).file; }
 
+std::vector<Format> allFormats() {
+    std::vector<Format> all;
+    for (const Row& row : rows)
+        all.push_back(row.format);
+    return all;
+}
+
 std::vector<Format> parseFormats(const std::string& list) {
     std::vector<Format> formats;
     std::istringstream stream(list + ",");

@@ -12,6 +12,8 @@ enum class Format { gradescope, prairielearn, autolab, coderunner, vpl, junit, c
 const char* nameOf(Format format);
 /// What it is called beside report.json: "gradescope.json", ... Gradescope and PrairieLearn both want results.json in the end.
 const char* fileNameOf(Format format);
+/// All that there are.
+std::vector<Format> allFormats();
 /// "gradescope,junit" in that order, none twice. Throws std::runtime_error that says which name is unknown, and which are known.
 std::vector<Format> parseFormats(const std::string& list);
 
