@@ -97,29 +97,11 @@ std::string slidesOf(const Check& check) {
     return text.empty() ? "" : text + ")";
 }
 
-std::string triple(const std::array<double, 3>& color) {
-    char text[64];
-    std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f)", color[0], color[1], color[2]);
-    return text;
-}
-
-std::string regionOf(const std::string& name, Language language) {
-    constexpr const char* words[][2] = {{"lit", "illuminato"},
-                                        {"unlit", "in ombra"},
-                                        {"terminator", "al confine dell'ombra"},
-                                        {"silhouette", "sul bordo"},
-                                        {"background", "sullo sfondo"}};
-    for (const auto& [english, italian] : words)
-        if (name == english)
-            return say(language, english, italian);
-    return name;
-}
-
 std::vector<std::string> worstOf(const WorstPixel& worst, Language language) {
     std::vector<std::string> lines{"pixel " + std::to_string(worst.x) + "," + std::to_string(worst.y) + " (" +
-                                   regionOf(worst.region, language) +
-                                   "): " + say(language, "yours ", "il tuo ") + triple(worst.found) +
-                                   say(language, ", expected ", ", atteso ") + triple(worst.expected)};
+                                   regionName(language, worst.region) +
+                                   "): " + say(language, "yours ", "il tuo ") + colorText(worst.found) +
+                                   say(language, ", expected ", ", atteso ") + colorText(worst.expected)};
     std::string numbers;
     for (const TermNumber& number : worst.numbers)
         numbers += (numbers.empty() ? "" : ",  ") + number.symbol + " = " + number.value;

@@ -6,6 +6,7 @@
 #include "grader/report/formats/formats.hpp"
 #include "lab/options.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace grader {
@@ -14,18 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* wordFor(CheckStatus status, bool it) {
-    switch (status) {
-    case CheckStatus::pass:
-        return it ? "giusto  " : "pass    ";
-    case CheckStatus::partial:
-        return it ? "in parte" : "partial ";
-    case CheckStatus::fail:
-        return it ? "no      " : "fail    ";
-    default:
-        return it ? "saltato " : "skipped ";
-    }
-}
+constexpr std::size_t wordWidth = 10;  // "non ancora"
 
 // Whether a folder holds a report and nothing else, so that it may go.
 bool isReport(const fs::path& folder) {
@@ -62,7 +52,9 @@ std::string summary(const Report& report) {
     const bool it = report.language == Language::it;
     std::string text;
     for (const Check& check : report.checks) {
-        text += std::string(wordFor(check.status, it)) + "  " + check.id + "  " + check.title;
+        std::string word = wordFor(report.language, check.status);
+        word.resize(std::max(word.size(), wordWidth), ' ');
+        text += word + "  " + check.id + "  " + check.title;
         if (check.maxScore > 0)
             text += "  " + points(check.score) + "/" + points(check.maxScore);
         if (check.status != CheckStatus::pass)

@@ -146,12 +146,15 @@ Variant variant(const Node& node) {
 }
 
 void readViews(const Node& views, Rubric& rubric) {
-    views.only({"count", "size", "seconds", "look_at", "distance", "height_degrees", "fov"});
+    views.only(
+        {"count", "size", "seconds", "look_at", "distance", "azimuth_degrees", "height_degrees", "fov"});
     rubric.views = views.at("count").integer(1, mostViews);
     rubric.size = views.at("size").integer(32, 1024);
     rubric.seconds = views.at("seconds").number(0, 1e6);
     rubric.lookAt = views.at("look_at").numbers<3>(-1e6, 1e6);
     rubric.distance = views.at("distance").numbers<2>(1e-3, 1e6);
+    if (views.has("azimuth_degrees"))
+        rubric.azimuth = views.at("azimuth_degrees").numbers<2>(-360, 360);
     rubric.height = views.at("height_degrees").numbers<2>(-89, 89);
     rubric.fov = views.at("fov").number(1, 170);
 }

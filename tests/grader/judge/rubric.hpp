@@ -54,6 +54,7 @@ struct Rubric {
     double seconds = 10;  ///< times are from 0 to this
     std::array<double, 3> lookAt{};  ///< what hidden cameras look at, world space
     std::array<double, 2> distance{6, 8};  ///< their distance from it, world units
+    std::array<double, 2> azimuth{0, 360};  ///< around it, degrees; 0 is the side of +z, 90 that of +x
     std::array<double, 2> height{10, 50};  ///< above the horizon, degrees
     double fov = 36;  ///< vertical, degrees
     std::vector<Variant> variants;

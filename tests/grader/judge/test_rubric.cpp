@@ -3,6 +3,7 @@
 #include "grader/judge/marks.hpp"
 #include "grader/judge/rubric.hpp"
 #include "grader/judge/scene_difference.hpp"
+#include "grader/judge/views.hpp"
 #include "starter_tasks.hpp"
 #include "support/program.hpp"
 #include "three/object_loader.hpp"
@@ -90,6 +91,8 @@ TEST(OtherRubrics, AreRefusedByFieldExpectedAndFound) {
               "mine.json.steps[0].title: expected a field \"it\", found none");
     EXPECT_EQ(refusal([](Json& r) { r["views"]["count"] = 1000; }),
               "mine.json.views.count: expected a number from 1.0 to 16.0, found 1000");
+    EXPECT_EQ(refusal([](Json& r) { r["views"]["azimuth_degrees"] = 90; }),
+              "mine.json.views.azimuth_degrees: expected a list, found 90");
     EXPECT_EQ(refusal([](Json& r) { r["schema"] = "lambert-lab/rubric/2"; }),
               "mine.json.schema: expected \"lambert-lab/rubric/1\", found \"lambert-lab/rubric/2\"");
     EXPECT_NE(refusal([](Json& r) { r["steps"][1]["id"] = "31"; }).find("'31' is there twice"),
@@ -97,6 +100,30 @@ TEST(OtherRubrics, AreRefusedByFieldExpectedAndFound) {
     EXPECT_NE(refusal([](Json& r) { r["variants"] = Json::array(); }).find("at least one"),
               std::string::npos);
     EXPECT_THROW(Rubric::read(root / "no such file"), std::runtime_error);
+}
+
+// What a view must show may be on one side.
+TEST(HiddenCameras, StandWhereTheRubricSays) {
+    Rubric rubric = Rubric::read(root / "lessons/lesson_05_attenuation.rubric.json");
+    rubric.views = 1;
+    const auto frontShare = [&] {
+        int front = 0;
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            const std::vector<std::string> options = grader::hiddenViews(rubric, seed, false).front().options;
+            double x = 0, y = 0, z = 0;
+            EXPECT_EQ(std::sscanf(options.at(1).c_str(), "%lf,%lf,%lf", &x, &y, &z), 3) << options.at(1);
+            const double distance =
+                std::hypot(x - rubric.lookAt[0], y - rubric.lookAt[1], z - rubric.lookAt[2]);
+            EXPECT_GE(distance, rubric.distance[0] - 1e-3);
+            EXPECT_LE(distance, rubric.distance[1] + 1e-3);
+            front += z > rubric.lookAt[2] ? 1 : 0;
+        }
+        return front;
+    };
+    EXPECT_GT(frontShare(), 30);
+    EXPECT_LT(frontShare(), 70);
+    rubric.azimuth = {-90, 90};
+    EXPECT_EQ(frontShare(), 100);
 }
 
 grader::Check check(const char* id, double score, double maxScore, bool isNew) {

@@ -25,7 +25,7 @@ double between(std::mt19937_64& engine, double low, double high) {
 // A place around what is looked at, and --camera's text for it.
 std::string camera(const Rubric& rubric, std::mt19937_64& engine) {
     constexpr double turn = 6.283185307179586;
-    const double azimuth = between(engine, 0, turn);
+    const double azimuth = between(engine, rubric.azimuth[0], rubric.azimuth[1]) * turn / 360;
     const double height = between(engine, rubric.height[0], rubric.height[1]) * turn / 360;
     const double distance = between(engine, rubric.distance[0], rubric.distance[1]);
     const auto& at = rubric.lookAt;

@@ -162,4 +162,40 @@ std::string base64(const std::string& bytes) {
     return result;
 }
 
+std::string wordFor(Language language, CheckStatus status) {
+    switch (status) {
+    case CheckStatus::pass:
+        return say(language, "passed", "superato");
+    case CheckStatus::partial:
+        return say(language, "in part", "in parte");
+    case CheckStatus::fail:
+        return say(language, "not yet", "non ancora");
+    case CheckStatus::skipped:
+        break;
+    }
+    return say(language, "skipped", "saltato");
+}
+
+std::string regionName(Language language, const std::string& name) {
+    struct Words {
+        const char *name, *english, *italian;
+    };
+    constexpr Words known[] = {{"lit", "lit side", "lato illuminato"},
+                               {"unlit", "unlit side", "lato in ombra"},
+                               {"terminator", "border of light and shade", "confine tra luce e ombra"},
+                               {"silhouette", "silhouette", "contorno"},
+                               {"background", "background", "sfondo"}};
+    for (const Words& words : known)
+        if (name == words.name)
+            return say(language, words.english, words.italian);
+    return oneLine(name);
+}
+
+std::string colorText(const std::array<double, 3>& color) {
+    std::string text;
+    for (const double channel : color)
+        text += (text.empty() ? "(" : ", ") + number(std::round(channel * 1e4) / 1e4);
+    return text + ")";
+}
+
 }  // namespace grader

@@ -1,4 +1,4 @@
-// Text of unknown origin made fit for pages, tables and gradebooks.
+// Text of unknown origin made fit for pages, tables, gradebooks and terminals, and the words that all of these use.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -31,5 +31,11 @@ std::string base64(const std::string& bytes);
 inline const char* say(Language language, const char* english, const char* italian) {
     return language == Language::it ? italian : english;
 }
+/// "passed", "in part", "not yet", "skipped"
+std::string wordFor(Language language, CheckStatus status);
+/// "lit side", ... of a region's name in report.json; unknown names as they are.
+std::string regionName(Language language, const std::string& name);
+/// "(0.863, 0.533, 0.333)"
+std::string colorText(const std::array<double, 3>& color);
 
 }  // namespace grader

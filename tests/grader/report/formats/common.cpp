@@ -39,20 +39,6 @@ const char* statusName(ReportStatus status) {
     return "infrastructure";
 }
 
-std::string wordFor(Language language, CheckStatus status) {
-    switch (status) {
-    case CheckStatus::pass:
-        return say(language, "passed", "superato");
-    case CheckStatus::partial:
-        return say(language, "in part", "in parte");
-    case CheckStatus::fail:
-        return say(language, "not yet", "non ancora");
-    case CheckStatus::skipped:
-        break;
-    }
-    return say(language, "skipped", "saltato");
-}
-
 const char* signFor(CheckStatus status) {
     switch (status) {
     case CheckStatus::pass:
@@ -65,21 +51,6 @@ const char* signFor(CheckStatus status) {
         break;
     }
     return "–";
-}
-
-std::string regionName(Language language, const std::string& name) {
-    struct Words {
-        const char *name, *english, *italian;
-    };
-    constexpr Words known[] = {{"lit", "lit side", "lato illuminato"},
-                               {"unlit", "unlit side", "lato in ombra"},
-                               {"terminator", "border of light and shade", "confine tra luce e ombra"},
-                               {"silhouette", "silhouette", "contorno"},
-                               {"background", "background", "sfondo"}};
-    for (const Words& words : known)
-        if (name == words.name)
-            return say(language, words.english, words.italian);
-    return oneLine(name);
 }
 
 double fraction(const Report& report) {
@@ -114,13 +85,6 @@ std::string slidesToReread(Language language, const std::vector<int>& slides) {
     if (slides.empty())
         return "";
     return (slides.size() == 1 ? "Slide " : say(language, "Slides ", "Slide ")) + text;
-}
-
-std::string colorText(const std::array<double, 3>& color) {
-    std::string text;
-    for (const double channel : color)
-        text += (text.empty() ? "(" : ", ") + number(std::round(channel * 1e4) / 1e4);
-    return text + ")";
 }
 
 std::vector<std::string> feedbackLines(const Report& report, const Check& check) {

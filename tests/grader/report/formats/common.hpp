@@ -16,12 +16,8 @@ std::string hiddenSentence(const Report& report);
 
 /// "graded", "not_gradable", "infrastructure": as in report.json.
 const char* statusName(ReportStatus status);
-/// "passed", "in part", "not yet", "skipped"
-std::string wordFor(Language language, CheckStatus status);
 /// A sign that says the same without colour.
 const char* signFor(CheckStatus status);
-/// "lit side", ... in the report's language; unknown names as they are.
-std::string regionName(Language language, const std::string& name);
 
 /// Score, or why there is none: one or two sentences.
 std::string headline(const Report& report);
@@ -32,8 +28,6 @@ double fraction(const Report& report);
 std::vector<std::string> feedbackLines(const Report& report, const Check& check);
 /// "Slides 29, 30, 37", or "".
 std::string slidesToReread(Language language, const std::vector<int>& slides);
-/// "(0.863, 0.533, 0.333)"
-std::string colorText(const std::array<double, 3>& color);
 
 /// The image of this id; null if the report has none.
 const ReportImage* findImage(const Report& report, const std::string& id);
