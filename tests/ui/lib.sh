@@ -169,3 +169,13 @@ used() {
     set -- ${all##*) }
     echo $(((${12} + ${13}) * 100 / $(getconf CLK_TCK)))
 }
+# Waits until the program has done what it had to do: a second without a tick of its clock. Sets before to what it has used.
+settle() {
+    local _
+    for _ in $(seq 20); do
+        before=$(used)
+        sleep 1
+        [ "$(used)" -le "$before" ] && break
+    done
+    before=$(used)
+}

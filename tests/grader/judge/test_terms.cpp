@@ -123,8 +123,10 @@ TEST_P(TermMarks, LackExactlyTheTermOfAMisconception) {
     }
 }
 
+class TermPairs : public TermMarks {};
+
 // A1 and E1 are two mistakes in different addends; neither explains the frames alone.
-TEST_P(TermMarks, NameTwoMistakesThatAddUp) {
+TEST_P(TermPairs, AreNamedWhereTheyAddUp) {
     for (const auto& [one, other] : {std::pair("A1", "E1"), std::pair("E2", "D1")}) {
         const Misconception &a = grader::misconception(one), &b = grader::misconception(other);
         Frames frames = framesOf(a);
@@ -167,5 +169,7 @@ std::string nameOf(const testing::TestParamInfo<Case>& test) {
 
 INSTANTIATE_TEST_SUITE_P(Sample, TermMarks, testing::ValuesIn(cases(0, 8)), nameOf);
 INSTANTIATE_TEST_SUITE_P(All, TermMarks, testing::ValuesIn(cases(8, 192)), nameOf);
+INSTANTIATE_TEST_SUITE_P(Sample, TermPairs, testing::ValuesIn(cases(0, 8)), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, TermPairs, testing::ValuesIn(cases(8, 32)), nameOf);
 
 }  // namespace
