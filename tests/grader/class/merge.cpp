@@ -5,6 +5,7 @@
 #include "grader/class/result.hpp"
 #include "grader/class/similarity.hpp"
 #include "grader/report/formats/formats.hpp"
+#include "grader/report/text.hpp"
 #include "image/write.hpp"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ Result noResult(const std::string& name, Language language) {
     result.folder = name;
     result.report.submission = name;
     result.report.language = language;
-    result.report.reason = language == Language::it ? "non c'è un risultato completo; si rifà con --resume"
-                                                    : "there is no whole result; grade again with --resume";
+    result.report.reason = say(language, "there is no whole result; grade again with --resume",
+                               "non c'è un risultato completo; si rifà con --resume");
     return result;
 }
 

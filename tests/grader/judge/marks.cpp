@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "grader/judge/marks.hpp"
 
-#include <algorithm>
+#include "grader/report/text.hpp"
+
 #include <cmath>
 
 namespace grader {
@@ -28,8 +29,8 @@ void countOldOnlyWithNew(std::vector<Check>& checks, Language language) {
     for (Check& check : checks)
         if (!check.isNew && check.score > 0) {
             check.score *= share;
-            check.message += language == Language::it ? " (conta solo insieme ai passi nuovi)"
-                                                      : " (counts only together with the new steps)";
+            check.message += say(language, " (counts only together with the new steps)",
+                                 " (conta solo insieme ai passi nuovi)");
         }
 }
 

@@ -49,9 +49,7 @@ Explanation explanationOf(const std::vector<std::string>& ids, const Texts& text
         return result;
     } catch (const std::out_of_range&) {  // no class of the catalogue, but these pictures cannot split them
         for (const std::string& id : ids)
-            result.name += (result.name.empty()        ? ""
-                            : language == Language::it ? ", oppure "
-                                                       : ", or ") +
+            result.name += (result.name.empty() ? "" : say(language, ", or ", ", oppure ")) +
                            texts.misconception(id).name.in(language);
         result.hint = first->hint.in(language);
         return result;
@@ -65,10 +63,9 @@ void show(const Evidence& evidence, const std::optional<WorstPixel>& worst, Lang
         if (check.status == CheckStatus::pass)
             continue;
         if (check.hint.empty())
-            check.hint =
-                language == Language::it
-                    ? "Rileggi le slide indicate e il TODO di partenza, e confronta le immagini."
-                    : "Reread the slides named here and the starter's TODO, and compare the pictures.";
+            check.hint = say(language,
+                             "Reread the slides named here and the starter's TODO, and compare the pictures.",
+                             "Rileggi le slide indicate e il TODO di partenza, e confronta le immagini.");
         check.worst = worst;
         for (const Picture& picture : verdict.pictures)
             check.images.push_back(picture.image.id);
@@ -178,7 +175,7 @@ void Steps::judgeByScene(const StepCheck& step, const Aspects& aspects, Check& c
     for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i)
         check.message += (i == 0 ? "" : "; ") + wrong[i];
     if (wrong.size() > most)
-        check.message += language_ == Language::it ? "; e altro" : "; and more";
+        check.message += say(language_, "; and more", "; e altro");
 }
 
 std::optional<Explanation> Steps::explanation(const std::vector<std::vector<float>>& found) const {

@@ -86,7 +86,7 @@ lighting::Switches without(const std::string& list) {
 Terms::Terms(const Rubric& rubric, const Texts& texts, Language language, std::uint64_t seed,
              std::shared_ptr<const THREE::LoadedScene> lesson, Show show)
     : rubric_(rubric), texts_(texts), language_(language), show_(show) {
-    const std::string word = language == Language::it ? "scena " : "scene ";
+    const std::string word = say(language, "scene ", "scena ");
     std::vector<Finish> finishes{Finish::matte};
     if (rubric.shiny)
         finishes.push_back(Finish::shiny);
