@@ -3,6 +3,7 @@
 #include "grader/grading/grader.hpp"
 
 #include "grader/grading/drawings.hpp"
+#include "grader/judge/unseen.hpp"
 #include "grader/submission/hash.hpp"
 #include "image/home.hpp"
 #include "starter.hpp"
@@ -90,6 +91,7 @@ Grader::Grader(const GraderOptions& options)
     lessonScene_ = scenes.front();
     steps_ =
         std::make_unique<Steps>(rubric_, texts_, options.language, std::move(views), scenes, showOf(options));
+    refuseBlindViews();
     tryLesson();
 }
 
@@ -150,7 +152,9 @@ std::size_t Grader::ownText(const std::string& part, const std::string& text) co
 }
 
 void Grader::hashTool() {
-    std::string all = sha256(fileBytes("/proc/self/exe")) + sha256(fileBytes(kit_->library)) +
+    const fs::path words = home_ / "share/lambert-lab/slides_refs";
+    std::string all = sha256(fileBytes("/proc/self/exe")) + sha256(fileBytes(words / "misconceptions.json")) +
+                      sha256(fileBytes(words / "tasks.json")) + sha256(fileBytes(kit_->library)) +
                       sha256(programBytes(rubric_.lesson)) +
                       std::to_string(options_.seed.value_or(rubric_.seed)) +
                       (options_.publicViews ? "public" : "hidden") + (italian(options_) ? "it" : "en") +
@@ -173,6 +177,20 @@ Grader::lessonScenes(const std::vector<View>& views) const {
         scenes.push_back(loadScene(dump.scene));
     }
     return scenes;
+}
+
+// Views that do not show what a step asks for would give its points to everybody.
+void Grader::refuseBlindViews() const {
+    if (options_.publicViews)
+        return;
+    std::string list;
+    for (const std::string& one : unseen(rubric_, steps_->expected()))
+        list += (list.empty() ? "" : ", ") + one;
+    if (!list.empty())
+        throw UsageError(rubric_.lesson + ": views: with seed " + std::to_string(seed()) +
+                         " no hidden view shows " + list +
+                         "; expected each to be seen in one at least. Change the rubric's look_at, distance, "
+                         "azimuth_degrees, height_degrees, fov or count");
 }
 
 // Before anybody is judged: the lab's own lesson must come out right, drawn here and now as submissions are.

@@ -52,7 +52,7 @@ class Grader {
     const Rubric& rubric() const { return rubric_; }
     const std::string& lessonTitle() const { return title_; }
     Language language() const { return options_.language; }
-    /// SHA-256 over all that marks depend on besides submission and rubric: programs, shaders, seed, language.
+    /// SHA-256 over all that marks depend on besides submission and rubric: programs, shaders, texts, seed, language.
     const std::string& toolHash() const { return toolHash_; }
     /// Of a part of the lab's own solution and of the starters, as Graded::sources: nobody is told apart by them.
     bool isCommon(const std::string& sourceHash) const { return common_.count(sourceHash) != 0; }
@@ -65,6 +65,7 @@ class Grader {
     void readLesson();
     void noteCommon(const std::string& part, const std::string& text);
     void hashTool();
+    void refuseBlindViews() const;
     void tryLesson();
     Drawing lessonDrawing() const;
     const Terms& terms() const;

@@ -6,6 +6,7 @@
 #include "grader/grading/drawings.hpp"
 #include "grader/grading/grader.hpp"
 #include "grader/submissions/submissions.hpp"
+#include "image/home.hpp"
 #include "support/program.hpp"
 #include "three/three.hpp"
 
@@ -292,6 +293,50 @@ TEST(Grade, AHugeSceneIsRefusedBeforeItIsDrawn) {
     for (int i = 0; i < 2000; ++i)
         many.scene->add(std::make_unique<THREE::PointLight>());
     EXPECT_THROW(grader::loadScene(THREE::toJSON(*many.scene, many.camera)), std::runtime_error);
+}
+
+// A course's own rubric, whose cameras see too little: full marks for everybody, if it were not refused.
+TEST(Grade, ViewsThatShowTooLittleAreRefused) {
+    const support::TemporaryDirectory directory;
+    std::string rubric = support::readFile(root / "lessons/lesson_02_directional_light.rubric.json");
+    const std::string distance = "\"distance\": [6, 8]";
+    ASSERT_NE(rubric.find(distance), std::string::npos);
+    rubric.replace(rubric.find(distance), distance.size(), "\"distance\": [3000, 3000]");
+    support::writeFile(directory.path() / "far.json", rubric);
+    const support::Outcome outcome =
+        support::run({"grade", "2", "--submission", root / "lessons/lesson_02_directional_light.cpp",
+                      "--report", "out", "--rubric", "far.json"},
+                     directory.path());
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("no hidden view shows directional[0] of step 36.3"), std::string::npos)
+        << outcome.err;
+    EXPECT_FALSE(fs::exists(directory.path() / "out"));
+}
+
+// --resume must not keep reports whose words are no longer the lab's.
+TEST(Grade, OtherTextsMakeAnotherTool) {
+    const support::TemporaryDirectory directory;
+    const fs::path real = image::home(), share = directory.path() / "share/lambert-lab";
+    const auto link = [](const fs::path& from, const fs::path& to, const std::string& but) {
+        fs::create_directories(to);
+        for (const auto& entry : fs::directory_iterator(from))
+            if (entry.path().filename() != but)
+                fs::create_symlink(entry.path(), to / entry.path().filename());
+    };
+    link(real, directory.path(), "share");
+    link(real / "share/lambert-lab", share, "slides_refs");
+    fs::copy(fs::canonical(real / "share/lambert-lab/slides_refs"), share / "slides_refs",
+             fs::copy_options::recursive);
+    const std::string lesson = "lesson_02_directional_light";
+    const std::string before = graderOf(lesson)->toolHash();
+    image::setHome(directory.path());
+    const std::string same = graderOf(lesson)->toolHash();
+    const fs::path words = share / "slides_refs/misconceptions.json";
+    support::writeFile(words, support::readFile(words) + "\n");
+    const std::string after = graderOf(lesson)->toolHash();
+    image::setHome("");
+    EXPECT_EQ(same, before);
+    EXPECT_NE(after, before);
 }
 
 // What is in the way of a report is deleted only if it is one.

@@ -310,4 +310,10 @@ bool matches(const std::string& pattern, const std::string& aspect) {
     return fits(pattern.c_str(), aspect.c_str());
 }
 
+bool isMeant(const std::vector<std::string>& patterns, const std::string& aspect) {
+    return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+        return pattern != "*" && matches(pattern, aspect);
+    });
+}
+
 }  // namespace grader

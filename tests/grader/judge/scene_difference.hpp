@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace grader {
 
@@ -29,5 +30,7 @@ Aspects compareScenes(const THREE::Scene& expected, const THREE::Scene& found);
 /// Whether a name of compareScenes is meant by a rubric's pattern: * stands for any characters, ? for one, [ ] for themselves,
 /// and a range [1-12] for the numbers in it.
 bool matches(const std::string& pattern, const std::string& aspect);
+/// Whether one of the patterns means it. `*` alone means nothing by name: it is what no other check means.
+bool isMeant(const std::vector<std::string>& patterns, const std::string& aspect);
 
 }  // namespace grader

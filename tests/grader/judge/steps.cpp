@@ -25,11 +25,6 @@ bool isMoved(const View& view, const std::string& aspect) {
            (aspect.ends_with(".place") || aspect.ends_with(".position") || aspect.ends_with(".direction"));
 }
 
-bool isMeant(const std::vector<std::string>& patterns, const std::string& name) {
-    return std::any_of(patterns.begin(), patterns.end(),
-                       [&](const std::string& pattern) { return pattern != "*" && matches(pattern, name); });
-}
-
 void grade(Check& check, double share) {
     check.score = check.maxScore * share;
     check.status = share >= 1 ? CheckStatus::pass : share > 0 ? CheckStatus::partial : CheckStatus::fail;

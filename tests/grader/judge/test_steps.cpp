@@ -1,6 +1,7 @@
 // Marks of a lesson's steps, from scenes as students' programs could have made them.
 // SPDX-License-Identifier: MIT
 #include "grader/judge/steps.hpp"
+#include "grader/judge/unseen.hpp"
 #include "support/program.hpp"
 #include "three/three.hpp"
 
@@ -22,9 +23,13 @@ const grader::Texts& texts() {
 // A lesson's steps, as the grader looks at them with a seed.
 class Lesson {
   public:
-    Lesson(const std::string& name, std::uint64_t seed)
+    using ChangeRubric = std::function<void(grader::Rubric&)>;
+    Lesson(
+        const std::string& name, std::uint64_t seed,
+        const ChangeRubric& changeRubric = [](grader::Rubric&) {})
         : rubric_(grader::Rubric::read(root / "lessons" / (name + ".rubric.json"))) {
         rubric_.size = 96;
+        changeRubric(rubric_);
         std::vector<grader::View> views = grader::hiddenViews(rubric_, seed, false);
         for (const grader::View& view : views)
             dumps_.push_back(dump(view));
@@ -35,6 +40,7 @@ class Lesson {
             std::make_unique<grader::Steps>(rubric_, texts(), grader::Language::en, std::move(views), scenes);
     }
     const grader::Rubric& rubric() const { return rubric_; }
+    std::vector<std::string> unseen() const { return grader::unseen(rubric_, steps_->expected()); }
     /// The checks that lose points when the program's scene is the lesson's, changed like this.
     std::set<std::string> lost(const Change& change) const { return idsOf(checks(change)); }
     std::vector<Check> checks(const Change& change) const {
@@ -294,6 +300,33 @@ TEST(Steps, AMissingFrameFailsTheStepsThatNeedIt) {
     ASSERT_NE(slider, checks.end());
     EXPECT_EQ(slider->score, 0);
     EXPECT_NE(slider->message.find("was not written"), std::string::npos) << slider->message;
+}
+
+class Views : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Lessons, Views,
+                         testing::Values("lesson_01_material", "lesson_02_directional_light",
+                                         "lesson_03_point_light", "lesson_04_ambient",
+                                         "lesson_05_attenuation", "lesson_06_many_lights",
+                                         "lesson_07_normal_space", "lesson_08_shading_frequency",
+                                         "lesson_09_phong"));
+
+TEST_P(Views, ShowWhatTheStepsAskFor) {
+    EXPECT_EQ(Lesson(GetParam(), 2026).unseen(), std::vector<std::string>());
+}
+
+TEST(Views, AreBlindFromFarAway) {
+    const Lesson lesson("lesson_02_directional_light", 2026, [](grader::Rubric& rubric) {
+        rubric.distance = {3000, 3000};
+    });
+    EXPECT_EQ(lesson.unseen(),
+              (std::vector<std::string>{"directional[0] of step 36.3", "directional[0] of step 36.4"}));
+}
+
+TEST(Views, AreBlindForWhatIsOutsideThem) {
+    const Lesson lesson("lesson_08_shading_frequency", 2026, [](grader::Rubric& rubric) {
+        rubric.fov = 5;  // of the knot alone
+    });
+    EXPECT_EQ(lesson.unseen(), (std::vector<std::string>{"mesh[2] of step 33", "mesh[3] of step 33"}));
 }
 
 TEST(Aspects, ArePatternsWithRanges) {
