@@ -3,6 +3,7 @@
 #pragma once
 
 #include "grader/confine/builder.hpp"
+#include "grader/confine/test_walls.hpp"
 
 #include <gtest/gtest.h>
 
