@@ -60,14 +60,15 @@ std::vector<std::string> unseen(const Rubric& rubric, const std::vector<Expected
         look(frame, seen);
     std::vector<std::string> all;
     const Aspects aspects = compareScenes(*frames.front().scene().scene, *frames.front().scene().scene);
+    const auto asksFor = [&](const StepCheck& step, const std::string& object) {
+        return std::any_of(aspects.begin(), aspects.end(), [&](const auto& aspect) {
+            return aspect.first.starts_with(object + ".") && isMeant(step.aspects, aspect.first);
+        });
+    };
     for (const StepCheck& step : rubric.steps)
-        for (const auto& [object, shown] : seen) {
-            const bool asked = std::any_of(aspects.begin(), aspects.end(), [&](const auto& aspect) {
-                return aspect.first.starts_with(object + ".") && isMeant(step.aspects, aspect.first);
-            });
-            if (step.isNew && asked && !shown)
+        for (const auto& [object, shown] : seen)
+            if (step.isNew && !shown && asksFor(step, object))
                 all.push_back(object + " of step " + step.id);
-        }
     return all;
 }
 
