@@ -1,7 +1,7 @@
 // A lesson is built and draws inside, and its frames are those that it draws outside.
 // SPDX-License-Identifier: MIT
 #include "grader/confine/builder.hpp"
-#include "grader/confine/test_walls.hpp"
+#include "grader/confine/testable_walls.hpp"
 #include "image/oiio.hpp"
 #include "support/program.hpp"
 
@@ -100,7 +100,6 @@ TEST_P(Builder, SeesOnlyTheShadersThatItIsGiven) {
     EXPECT_EQ(drawn.problems[1], "frame 1 was not written");
 }
 
-INSTANTIATE_TEST_SUITE_P(Walls, Builder, testing::ValuesIn(grader::testableWalls()),
-                         [](const auto& walls) { return std::string(grader::name(walls.param)); });
+INSTANTIATE_TEST_SUITE_P(Walls, Builder, testing::ValuesIn(grader::testableWalls()), grader::wallsName);
 
 }  // namespace

@@ -68,10 +68,10 @@ bool italian(const GraderOptions& options) { return options.language == Language
 }  // namespace
 
 Grader::Grader(const GraderOptions& options)
-    : options_(options), home_(image::home()),
-      texts_(home_ / "share/lambert-lab/slides_refs/misconceptions.json"), shaders_(labShaders()) {
+    : options_(options), share_(image::home() / "share/lambert-lab"),
+      texts_(share_ / "slides_refs/misconceptions.json"), shaders_(labShaders()) {
     if (!options.publicViews)
-        refuseWithinReach(home_ / "share/lambert-lab/lessons");
+        refuseWithinReach(share_ / "lessons");
     readLesson();
     if (options.size > 0)
         rubric_.size = options.size;
@@ -112,9 +112,8 @@ Drawing Grader::lessonDrawing() const { return drawingOf(rubric_, programBytes(r
 
 // The lesson's texts: title, starters, what every right submission has in it.
 void Grader::readLesson() {
-    const fs::path share = home_ / "share/lambert-lab";
-    const nuovo::Lesson lesson = lessonCalled(share, options_.lesson);
-    rubric_ = rubricFor(lesson, share, options_.rubric);
+    const nuovo::Lesson lesson = lessonCalled(share_, options_.lesson);
+    rubric_ = rubricFor(lesson, share_, options_.rubric);
     title_ = lesson.title;
     expectations_.lesson = lesson.stem;
     noteCommon("lesson",
@@ -127,7 +126,7 @@ void Grader::readLesson() {
         expectations_.keepNeutral = expectations_.keepNeutral || required != "lesson";
     for (const char* lang : {"it", "en"}) {
         const nuovo::Folder starter =
-            nuovo::makeStarter(lesson, share / "slides_refs/tasks.json", share / "shaders", lang);
+            nuovo::makeStarter(lesson, share_ / "slides_refs/tasks.json", share_ / "shaders", lang);
         expectations_.starters.emplace_back();
         for (const auto& [name, text] : starter) {
             expectations_.starters.back()[name] = text;
@@ -152,13 +151,12 @@ std::size_t Grader::ownText(const std::string& part, const std::string& text) co
 }
 
 void Grader::hashTool() {
-    const fs::path words = home_ / "share/lambert-lab/slides_refs";
-    std::string all = sha256(fileBytes("/proc/self/exe")) + sha256(fileBytes(words / "misconceptions.json")) +
-                      sha256(fileBytes(words / "tasks.json")) + sha256(fileBytes(kit_->library)) +
-                      sha256(programBytes(rubric_.lesson)) +
-                      std::to_string(options_.seed.value_or(rubric_.seed)) +
-                      (options_.publicViews ? "public" : "hidden") + (italian(options_) ? "it" : "en") +
-                      name(confinement_->walls());
+    std::string all =
+        sha256(fileBytes("/proc/self/exe")) + sha256(fileBytes(share_ / "slides_refs/misconceptions.json")) +
+        sha256(fileBytes(share_ / "slides_refs/tasks.json")) + sha256(fileBytes(kit_->library)) +
+        sha256(programBytes(rubric_.lesson)) + std::to_string(options_.seed.value_or(rubric_.seed)) +
+        (options_.publicViews ? "public" : "hidden") + (italian(options_) ? "it" : "en") +
+        name(confinement_->walls());
     for (const auto& [name, text] : shaders_)
         all += sha256(name) + sha256(text);
     toolHash_ = sha256(all);

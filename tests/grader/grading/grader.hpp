@@ -73,7 +73,7 @@ class Grader {
     std::uint64_t seed() const;  // of hidden views and scenes
 
     GraderOptions options_;
-    std::filesystem::path home_;
+    std::filesystem::path share_;  // lessons, shaders, texts
     Rubric rubric_;
     Texts texts_;
     std::string title_, toolHash_, renderer_;

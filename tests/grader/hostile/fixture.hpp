@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grader/confine/builder.hpp"
-#include "grader/confine/test_walls.hpp"
+#include "grader/confine/testable_walls.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "three/lights.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace grader {
@@ -33,20 +34,26 @@ std::vector<std::string> lacking(const THREE::Scene& whole, const THREE::Scene& 
     return objects;
 }
 
-// Whether each object of the scene is seen in this frame; adds to what other frames showed.
-void look(const ExpectedFrame& frame, std::map<std::string, bool>& seen) {
-    const auto scene = std::make_shared<THREE::LoadedScene>(THREE::ObjectLoader().parse(
-        THREE::toJSON(*frame.scene().scene, frame.scene().camera), "the lesson's scene"));
+bool asksFor(const StepCheck& step, const std::string& object, const Aspects& aspects) {
+    return step.isNew && std::any_of(aspects.begin(), aspects.end(), [&](const auto& aspect) {
+               return aspect.first.starts_with(object + ".") && isMeant(step.aspects, aspect.first);
+           });
+}
+
+// What this frame shows of the objects that are asked for; adds to what other frames showed.
+void look(const ExpectedFrame& frame, const std::function<bool(const std::string&)>& isAskedFor,
+          std::map<std::string, bool>& seen) {
+    const THREE::LoadedScene& whole = frame.scene();
+    const auto scene = std::make_shared<THREE::LoadedScene>(
+        THREE::ObjectLoader().parse(THREE::toJSON(*whole.scene, whole.camera), "the lesson's scene"));
     for (THREE::Object3D* object : meshesAndLights(*scene->scene)) {
         object->visible = false;
-        const std::vector<std::string> objects = lacking(*frame.scene().scene, *scene->scene);
-        const bool news =
-            std::any_of(objects.begin(), objects.end(), [&](const std::string& name) { return !seen[name]; });
-        if (news) {
+        std::vector<std::string> open = lacking(*whole.scene, *scene->scene);
+        std::erase_if(open, [&](const std::string& name) { return !isAskedFor(name) || seen[name]; });
+        if (!open.empty()) {
             const ExpectedFrame without(scene, frame.size(), lighting::Switches(), "");
-            const bool shows = !compare(frame, without.pixels()).right();
-            for (const std::string& name : objects)
-                seen[name] = seen[name] || shows;
+            for (const std::string& name : open)
+                seen[name] = !compare(frame, without.pixels()).right();
         }
         object->visible = true;
     }
@@ -55,19 +62,19 @@ void look(const ExpectedFrame& frame, std::map<std::string, bool>& seen) {
 }  // namespace
 
 std::vector<std::string> unseen(const Rubric& rubric, const std::vector<ExpectedFrame>& frames) {
+    const THREE::Scene& whole = *frames.front().scene().scene;
+    const Aspects aspects = compareScenes(whole, whole);
+    const auto isAskedFor = [&](const std::string& object) {
+        return std::any_of(rubric.steps.begin(), rubric.steps.end(),
+                           [&](const StepCheck& step) { return asksFor(step, object, aspects); });
+    };
     std::map<std::string, bool> seen;
     for (const ExpectedFrame& frame : frames)
-        look(frame, seen);
+        look(frame, isAskedFor, seen);
     std::vector<std::string> all;
-    const Aspects aspects = compareScenes(*frames.front().scene().scene, *frames.front().scene().scene);
-    const auto asksFor = [&](const StepCheck& step, const std::string& object) {
-        return std::any_of(aspects.begin(), aspects.end(), [&](const auto& aspect) {
-            return aspect.first.starts_with(object + ".") && isMeant(step.aspects, aspect.first);
-        });
-    };
     for (const StepCheck& step : rubric.steps)
         for (const auto& [object, shown] : seen)
-            if (step.isNew && !shown && asksFor(step, object))
+            if (!shown && asksFor(step, object, aspects))
                 all.push_back(object + " of step " + step.id);
     return all;
 }

@@ -4,6 +4,8 @@
 
 #include "grader/confine/confine.hpp"
 
+#include <gtest/gtest.h>
+
 #include <exception>
 #include <sched.h>
 #include <sys/wait.h>
@@ -42,5 +44,8 @@ inline std::vector<Walls> testableWalls() {
     static const bool all = bubblewrapIsDue();
     return all ? std::vector{Walls::bubblewrap, Walls::landlock} : std::vector{Walls::landlock};
 }
+
+/// In the names of tests.
+inline std::string wallsName(const testing::TestParamInfo<Walls>& walls) { return name(walls.param); }
 
 }  // namespace grader
